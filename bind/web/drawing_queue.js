@@ -7,10 +7,10 @@
 //
 // A page has as many workers as it has cores, four at most, and starts another only when all are at work. A face stays
 // with the worker that has read it, unless far more wait there than for another. Clips share the time, not the turns: a face of
-// a hundred braids, which takes forty times as long as others, plays at a fortieth of their rate. First pictures and such faces
+// a hundred braids, which takes forty times as long as others, has a quarter of their turns. First pictures and such faces
 // keep away from the worker of a face that talks, where there is another one.
 
-import { Painter } from './painter.js';
+import { Painter, charge } from './painter.js';
 
 let most = Math.max(1, Math.min(4, globalThis.navigator?.hardwareConcurrency ?? 1));
 const TALKS = 500;  // [ms] A face that was asked for twice within this time talks
@@ -20,7 +20,7 @@ const SLOW = 30;  // [ms] A face that takes longer than this is not drawn beside
 const lanes = { first: new Set(), asked: new Set(), playing: new Set() };
 const painters = [], painterOf = new WeakMap(), askedAt = new WeakMap(), turns = new WeakMap();
 let newest = null;  // of those asked
-let talker = null, woken = false, clock = 0;  // [ms] that each face which plays has had
+let talker = null, woken = false;
 
 /** The first of a lane that the painter may draw. */
 function oldest(lane, painter) {
@@ -48,23 +48,25 @@ function leastDrawn(painter) {
   // A painter may have read most of a crowd while the other had a face that talks: it gives of them where twice as many wait.
   const [most] = [...waiting.values()].sort((one, other) => other.length - one.length);
   const found = leastOf(painter !== quiet && most.length > 2 * own.length + SEVERAL ? most : own);
-  if (found) clock = found.spent;
+  if (found) painter.clock = Math.max(painter.clock, found.spent);
   return found;
 }
 const leastOf = (faces) => faces.reduce((least, face) => (face.spent < least?.spent ? face : least), faces[0]);
 
-/** Of those without a picture: the first in view, else the one that is least far from the view. */
+/** Of those without a picture: the first in view, before those where something else stands, else the one that is least far from
+ *  the view. */
 function nearest(painter) {
   const quiet = painter === quietPainter();
-  let found, least = Infinity;
+  let found, standing, least = Infinity;
   for (const face of lanes.first) {
     if (quiet ? reader(face) !== painter : !mayDraw(painter, face)) continue;
-    if (face.inView) return face;
+    if (face.inView && !face.hasStandIn) return face;
+    if (face.inView) standing ??= face;
     const { top, bottom, left, right } = face.getBoundingClientRect();
     const away = Math.max(top - innerHeight, -bottom, 0) + Math.max(left - innerWidth, -right, 0);
     if (away < least) found = face, least = away;
   }
-  return found;
+  return standing ?? found;
 }
 
 /** The worker that draws no first pictures now, since a face that talks is its own and others can draw them. */
@@ -76,14 +78,20 @@ function quietPainter() {
 /** Lets a face wait for a picture; in which lane, says the face. */
 export function wait(face, lane) {
   if (!lanes[lane].has(face)) leave(face), lanes[lane].add(face);
-  // Who comes new has had its first picture, which counts: else faces would stand still until the page is full.
-  if (lane === 'playing') face.spent = face.plays ? Math.max(face.spent, clock) : clock + face.cost, face.plays = true;
+  if (lane === 'playing') takeItsPlace(face);
   if (lane === 'asked') {
     const now = performance.now();
     if (now - (askedAt.get(face) ?? -Infinity) < TALKS) talker = face;
     askedAt.set(face, now), newest = face;
   }
   wake();
+}
+
+/** Among those that play. Who comes new has had its first picture, which counts: else faces would stand still until the page is
+ *  full. Who has rested or talked has no more to catch up on, and no more to wait for, than a picture or two. */
+function takeItsPlace(face) {
+  const clock = reader(face)?.clock ?? 0, least = face.plays ? clock : clock + charge(face);
+  face.spent = Math.min(Math.max(face.spent, least), clock + 2 * charge(face)), face.plays = true;
 }
 
 export function leave(face) {

@@ -14,9 +14,10 @@ export interface Drawn {
   ms: number;
 }
 
-/** What `mien-ended` tells, once the track of `speech` is over that the face has spoken without a sound: its address. */
+/** What `mien-ended` tells, once a track is over that the face has spoken without a sound: its address, or null where it was a text
+ *  for speak(). */
 export interface Ended {
-  speech: string;
+  speech: string | null;
 }
 
 export interface MienFaceEvents {
@@ -32,8 +33,8 @@ export class MienFace<N extends AnyNames = Names> extends MienFaceAttributes<N> 
    *  does not. */
   get pose(): Pose<N>;
   set pose(pose: Pose<N> | null | undefined);
-  /** The face at a moment of a track of speech or of a take [s]: the text of its file. The clips of a face that plays go on by
-   *  their own clock. null: no longer. */
+  /** A track of speech or a take: the text of its file. With a time the face is at that moment [s], and a page asks again for every
+   *  one; without one it speaks as by `speech`. The clips of a face that plays go on by their own clock. null: no longer. */
   speak(track: string | null, time?: number): void;
   /** The face as a camera saw an actor's. null: no longer. */
   follow(frame: Frame | null): void;

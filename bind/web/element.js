@@ -74,9 +74,9 @@ function textOf(src) {
 class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   static observedAttributes = NAMES;
   /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away; what its last
-   *  picture took and what all have [ms]; whether its clips have run. */
+   *  picture took and what all were charged [ms]; whether its clips have run. */
   number = 0; inView = false; isNear = false; cost = 0; spent = 0; plays = false;
-  #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #turned = false; #posed = null; #kept = null; #shown = 0; #framed = false; #wanted = false; #started = 0; #extra = {}; #live = {}; #track = null; #sound = null;
+  #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #turned = false; #posed = null; #kept = null; #shown = 0; #framed = false; #wanted = false; #ran = 0; #since = 0; #over = 0; #complaint = ''; #extra = {}; #live = {}; #track = null; #sound = null;
 
   constructor() {
     super();
@@ -128,14 +128,21 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   set pose(pose) { this.#extra = pose ?? {}, this.redraw(); }
   get pose() { return this.#extra; }
 
-  /** The face at a moment of a track of speech or of a take [s]. `track` is the text of its file, of any kind that mien reads; a
-   *  page asks again for every moment, such as its audio's currentTime. null: no longer. */
-  speak(track, time) { this.#live = track === null ? {} : { spoken: track, moment: time }, this.redraw(); }
+  /** A track of speech or a take: the text of its file, of any kind that mien reads. With a time [s] the face is at that moment, and
+   *  a page asks again for every one, such as its audio's currentTime; without one it speaks as by `speech`. null: no longer. */
+  speak(track, time) {
+    const whole = track !== null && time === undefined;
+    if (whole || this.#track?.src === null) this.#track = whole ? { text: track, src: null } : null;
+    this.#live = track === null || whole ? {} : { spoken: track, moment: time };
+    this.redraw();
+  }
   /** The face as a camera saw an actor's: { jawOpen: 0.4 }, or a result of MediaPipe's FaceLandmarker. null: no longer. */
   follow(frame) { this.#live = frame === null ? {} : { frame: JSON.stringify(frame), at: performance.now() / 1000 }, this.redraw(); }
 
   /** Draws once more. However often it is asked for, the next picture is that of the newest pose. */
   redraw() {
+    this.#complaint = '';
+    this.#wind();
     if (!this.number || !this.#source) return;
     this.#lane = this.#drawn ? 'asked' : 'first';
     this.queue();
@@ -165,7 +172,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     if (!this.number || stale) return this.queue();
     if (what !== undefined) return this.#refuse(where, what), this.queue();
     this.#before = this.#source, this.#kept = picture;
-    if (this.#posed && this.#posed === this.#track) this.#awaitEnd(length);
+    if (this.#posed && this.#posed === this.#track && this.#posed.length === undefined) this.#posed.length = length, this.#awaitEnd();
     const show = (next) => { if (picture === this.#kept && this.number) this.#show(picture), this.#play(next); };
     const now = performance.now(), keep = this.#turned ? Math.min(KEPT * (now - this.#shown), LONGEST_KEPT) : 0;
     this.#shown = now;
@@ -187,7 +194,10 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   }
   /** Tells what is refused; who does not take care of it reads it in the console. */
   #complain(where, what) {
-    if (this.#tell('mien-refused', { where, what })) console.warn(`<mien-face>: ${where ? `${where}: ` : ''}${what}`);
+    const complaint = `${where}: ${what}`;
+    if (complaint === this.#complaint) return;  // of a frame of clips that was asked for before
+    this.#complaint = complaint;
+    if (this.#tell('mien-refused', { where, what })) console.warn(`<mien-face>: ${where ? complaint : what}`);
   }
   /** An attribute that is nearly one of ours was meant to be. */
   #doubt(name) {
@@ -258,8 +268,14 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     if (!this.#drawn) Object.assign(this.#canvas, size);  // a picture of another size stays until the next is there
     return size;
   }
-  /** [s] Since its clips began to run. */
-  get #clock() { return (performance.now() - (this.#started ||= performance.now())) / 1000; }
+  /** [s] That its clips have run. */
+  get #clock() { return this.#ran + (this.#since && (performance.now() - this.#since) / 1000); }
+  /** The clock goes while clips run, and so does a track by that clock. */
+  #wind() {
+    if (this.#plays === this.#since > 0) return;
+    this.#ran = this.#clock, this.#since = this.#plays ? performance.now() : 0;
+    this.#awaitEnd();
+  }
   get #speaks() { return this.number !== 0 && this.#track?.text !== undefined && this.#sound?.paused === false; }
   get #plays() { return this.number !== 0 && this.playing && this.#extra.time === undefined && (this.#wanted || !page.stillness.matches); }
   /** Whether its mouth moves now: such faces go before others. */
@@ -295,7 +311,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
       return { motion, begin: plays ? pose.time - time : 0 };
     };
     if (plays) pose.time = this.#clock;
-    if (track && plays && !this.#sound) track.begin ??= pose.time;  // it begins when it is set
+    if (track && plays && !this.#sound && track.begin === undefined) track.begin = pose.time, this.#awaitEnd();  // it begins when it is set
     if (track) pose.motions = [...(pose.motions ?? []), this.#sound ? follow(track.text, this.#sound.currentTime) : { motion: track.text, begin: track.begin ?? 0 }];
     if (spoken !== undefined) pose.motions = [follow(spoken, moment)];
     if (at !== undefined && said('steady') !== null) {
@@ -312,17 +328,21 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     this.#context.putImageData(new ImageData(pixels, width, height), 0, 0);
     onceShown(() => { if (this.number) this.#tell('mien-drawn', { ms }); });
   }
-  /** A track that runs by the face's own clock is over: pages are told, as by a sound's `ended`. */
-  #awaitEnd(length) {
+  /** Once a track that runs by the face's own clock is over, pages are told, as by a sound's `ended`. */
+  #awaitEnd() {
+    clearTimeout(this.#over);
     const track = this.#track;
-    track.length = length;
-    if (track.begin === undefined || track.awaited) return;
-    track.awaited = true;
-    const over = () => { if (track === this.#track && this.number) this.#tell('mien-ended', { speech: track.src }); };
-    setTimeout(over, Math.min(1000 * (track.begin + length - this.#clock), LONGEST));
+    if (!this.#since || track?.begin === undefined || track.length === undefined || track.isOver) return;
+    const over = () => {
+      if (track !== this.#track) return;
+      track.isOver = true;
+      this.#tell('mien-ended', { speech: track.src });
+    };
+    this.#over = setTimeout(over, Math.min(1000 * (track.begin + track.length - this.#clock), LONGEST));
   }
   /** What stands in the element until the first picture. */
   get #standIn() { return this.#slot.assignedElements()[0]; }
+  get hasStandIn() { return this.#standIn !== undefined; }
   /** Shows the picture, or what stands in for it, in one step: nothing flashes. */
   #stand() {
     this.#slot.hidden = this.#drawn, this.#canvas.hidden = !this.#drawn && (this.#standIn !== undefined || this.#said.textContent !== '');

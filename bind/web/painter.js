@@ -4,6 +4,16 @@
 const GRACE = 1000;  // [ms] for the worker to end a drawing after its deadline
 const LONGEST = 2 ** 31 - 1;  // [ms] that a timer waits
 
+/** [ms] What a face's picture counts for its turns: what it took, but four usual pictures at most. Else a slow face would stand still
+ *  in a crowd, at times with its eyes shut. */
+export const charge = (face) => Math.min(face.cost, MOST_CHARGED * usual);
+const MOST_CHARGED = 4, REMEMBERED = 16;  // pictures
+let usual = 5;  // [ms] what is charged, in the mean; at first what avatars take
+function account(face, ms) {
+  face.cost = ms, face.spent += charge(face);
+  usual += (charge(face) - usual) / REMEMBERED;
+}
+
 /** The worker. Pages may start only workers of their own origin: of another one it is a worker of the page that imports it. */
 function startWorker() {
   const here = import.meta.url, { protocol, origin } = new URL(here);
@@ -18,6 +28,8 @@ const CANNOT_START = 'the worker that draws cannot be started: it is not there, 
 export class Painter {
   /** The face that it draws; the compiled module, once it has one. */
   drawing = null; module = null;
+  /** For the queue: what the face was charged [ms] that was drawn least of those that it has read and that play. */
+  clock = 0;
   #worker = null; #ready = false; #allowed = 0; #late = 0; #done; #failed;
   /** Calls done() when it is free again, and failed(painter, face, refused) when it cannot be started. */
   constructor(done, failed) { this.#done = done, this.#failed = failed; }
@@ -48,7 +60,7 @@ export class Painter {
     this.drawing = null;
     clearTimeout(this.#late);
     if (data.broken) this.#end();
-    if (data.ms) face.cost = data.ms, face.spent += data.ms;
+    if (data.ms) account(face, data.ms);
     face.answer(data.late ? this.#tooLong : data);
     this.#done();
   }

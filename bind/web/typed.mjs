@@ -119,7 +119,7 @@ declare module 'solid-js' {
 function manifest() {
   const fields = [...all.map(({ name, property, is, says }) => ({ kind: 'field', name: property, type: { text: is }, description: says, attribute: name, reflects: true })),
     { kind: 'field', name: 'pose', type: { text: 'Pose' }, description: 'a pose of more than attributes can say; attributes come on top' }];
-  const methods = [['speak', 'the face at a moment of a track of speech or of a take', [['track', 'string | null'], ['time', 'number']]],
+  const methods = [['speak', 'speaks a track or a take, or shows one of its moments', [['track', 'string | null'], ['time', 'number']]],
     ['follow', 'the face as a camera saw an actor\'s', [['frame', 'Frame | null']]], ['redraw', 'draws once more', []]];
   const events = [['mien-drawn', 'Drawn', 'the picture is on the screen: detail.ms'], ['mien-ended', 'Ended', 'a track that ran by the face\'s own clock is over: detail.speech'],
     ['mien-refused', 'Refused', 'a place and a sentence: detail.where, detail.what']];

@@ -67,7 +67,7 @@ constexpr Synonyms kSynonyms[] = {
     {"brush doodle monochrome blackandwhite notion", {"peep", "ink"}},
     {"icon icons symbol emoji", {"pictogram"}},
     {"memoji plastic toy lit glossy clay", {"vinyl"}},
-    {"style theme paintstyle drawstyle artstyle", {"style", "--style"}},
+    {"style facestyle theme paintstyle drawstyle artstyle", {"style", "--style", "face-style"}},
     // Options.
     {"width height resolution dimensions size px", {"--size", "size"}},
     {"bg backgroundcolor", {"--background", "background"}},

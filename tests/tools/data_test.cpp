@@ -197,6 +197,17 @@ TEST_F(DataTest, ASampleNeedsNotTheWholeProduct) {
   EXPECT_EQ(all, text("shown/manifest.json"));
 }
 
+TEST_F(DataTest, ASeedIsAWordOrTheNumberOfThatName) {
+  const auto people = [&](const std::string& seed) {
+    const std::string factor = R"("factors": [{"people": 3, "seed": )" + seed + "}]";
+    EXPECT_EQ(stimuli(plan(factor)).code, 0);
+    return text("shown/manifest.json");
+  };
+  const std::string by_word = people(R"("42")");
+  EXPECT_EQ(by_word, people("42"));
+  EXPECT_NE(by_word, people("43"));
+}
+
 TEST_F(DataTest, WrongPlansAreToldBeforeAnythingIsDrawn) {
   for (
       const auto& [rest, sentence] : {
@@ -206,6 +217,14 @@ TEST_F(DataTest, WrongPlansAreToldBeforeAnythingIsDrawn) {
               "1000 × 1000 × 1000 = 1000000000 pictures; a plan has 100000 at most"},
           WrongData{R"("factors": [])", "expected 1 to 32 factors"},
           WrongData{R"("factors": [{"name": "x"}])", "a factor varies one of"},
+          WrongData{R"("factor": [])",
+                    "no key of a plan named \"factor\"; did you mean \"factors\"?"},
+          WrongData{R"("factors": [{"people": 2, "sede": "a"}])",
+                    "no key of a factor named \"sede\"; did you mean \"seed\"?"},
+          WrongData{R"("factors": [{"emotion": "joy"}])", "/factors/0: \"values\" are missing"},
+          WrongData{R"("factors": [{"people": 2, "seed": 1.5}])",
+                    "/factors/0/seed: expected a word or a whole number, got 1.5"},
+          WrongData{R"("factors": [{"people": 2, "seed": -1}])", "a whole number, got -1"},
           WrongData{R"("factors": [{"emotions": [], "values": [1]}])", "no emotion is named"},
           WrongData{R"("factors": [{"emotions": ["joy", "joy"], "values": [1]}])",
                     "/factors/0/emotions/1: joy is a level already"},

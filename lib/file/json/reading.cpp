@@ -75,6 +75,17 @@ void Reading::expect_object(const JsonNode& node, std::span<const std::string_vi
   }
 }
 
+void Reading::expect_only(const JsonNode& node, std::initializer_list<std::string_view> known,
+                          std::string_view whose) const {
+  expect(node, JsonKind::object);
+  const std::string what = whose.empty() ? "key" : fmt::format("key of a {}", whose);
+  for_each(node, [&](const JsonNode& child, int) {
+    const std::string_view key = tree.key(child);
+    if (key != "comment" && std::find(known.begin(), known.end(), key) == known.end())
+      throw Refusal{{tree.where(child, true), unknown_name(what, key, known)}};
+  });
+}
+
 std::string_view Reading::string(const JsonNode& node) const {
   expect(node, JsonKind::string);
   return tree.string(node);

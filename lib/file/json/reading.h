@@ -46,6 +46,9 @@ class Reading {
                      std::string_view whose = {}) {
     expect_object(node, std::span(known.begin(), known.size()), whose);
   }
+  /// The same, but refuses such keys: for plans, of which a slip would cost more than a picture.
+  void expect_only(const JsonNode& node, std::initializer_list<std::string_view> known,
+                   std::string_view whose = {}) const;
   /// Whether warnings are wanted, and there are not too many yet.
   bool may_warn() const;
 

@@ -19,6 +19,10 @@ std::string_view typed_name(const Control& control, const std::string& prefix) {
   return control.name.substr(prefix.size());
 }
 
+bool is_one_sided(std::string_view name) {
+  return name.starts_with("left.") || name.starts_with("right.");
+}
+
 std::string none_of(const std::vector<Control>& controls, std::string_view set) {
   if (set == "emotion" || set == "muscle") return fmt::format("this face has no {}s", set);
   if (!standard_names(set).empty()) return fmt::format("this face has no table of {} names", set);
@@ -58,12 +62,12 @@ Expected<Setting> read_expression(const Face& face, std::string_view set, std::s
     return Setting{true, int(c), {value}};
   }
   if (known.empty()) return Error{where, none_of(controls, set)};
-  if (const std::size_t dot = name.find('.');
-      dot != std::string_view::npos && (name.starts_with("left.") || name.starts_with("right.")))
+  if (const std::size_t dot = name.find('.'); dot != std::string_view::npos && is_one_sided(name))
     if (const auto bare = name.substr(dot + 1);
         std::find(known.begin(), known.end(), bare) != known.end())
       return Error{where, fmt::format("{} has no left and right: it is one", in_quotes(bare))};
   const bool standard = !standard_names(set).empty();
+  if (name.find('.') == std::string_view::npos) std::erase_if(known, is_one_sided);
   return Error{
       where, unknown_name(standard ? fmt::format("{} name", set) : std::string{set}, name, known)};
 }

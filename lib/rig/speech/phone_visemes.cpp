@@ -144,17 +144,51 @@ PhoneMeaning arpabet_meaning(std::string_view name) {
   return {{{V::kk}, {V::sil}}, 1, false};
 }
 
+/// The longest sound that a text begins with.
+const Entry* first_sound(std::string_view text, bool sampa) {
+  const Entry* const entry = sampa ? beginning(kSampa, text) : nullptr;
+  return entry ? entry : beginning(kIpa, text);
+}
+
+/// Whether two sounds in one name are a single sound: a diphthong, a vowel with the liquid or nasal that
+/// ends it ("əl", "ɑːɹ"), an affricate ("kx"), or a consonant with a glide ("nj").
+bool belong_together(const Entry& one, const Entry& next) {
+  const V ends = one.second == V::sil ? one.first : one.second;
+  if (is_vowel(ends))
+    return is_vowel(next.first) || next.first == V::RR || next.first == V::nn || next.name == "m";
+  if (next.name == "j" || next.name == "w") return true;
+  constexpr std::string_view kThroat[] = {"x", "χ", "h", "ɦ"};
+  const bool stop = ends == V::PP || ends == V::DD || ends == V::kk;
+  return stop &&
+         (next.first == V::FF || next.first == V::TH || next.first == V::CH ||
+          next.first == V::SS || std::count(std::begin(kThroat), std::end(kThroat), next.name) > 0);
+}
+
+/// Whether what follows a sound in its name belongs to it: marks, tones, and at most two more sounds.
+/// Else the name is a word or a slip.
+bool is_one_sound(const Entry& first, std::string_view rest, bool sampa) {
+  constexpr int kMostMore = 2;
+  const Entry* before = &first;
+  for (int more = 0; !rest.empty();) {
+    const Entry* const entry = first_sound(rest, sampa);
+    if (entry && (++more > kMostMore || !belong_together(*before, *entry))) return false;
+    const bool letter = (rest[0] >= 'a' && rest[0] <= 'z') || (rest[0] >= 'A' && rest[0] <= 'Z');
+    if (!entry && letter) return false;
+    rest.remove_prefix(entry ? entry->name.size() : 1);
+    if (entry) before = entry;
+  }
+  return true;
+}
+
 /// The first sound that the name begins with, past marks of stress and ties.
 PhoneMeaning sound_meaning(std::string_view name, bool sampa) {
   bool known = true;
   double stress = 0;
   for (std::size_t at = 0; at < name.size(); ++at) {
     const std::string_view rest = name.substr(at);
-    const Entry* entry = sampa ? beginning(kSampa, rest) : nullptr;
-    if (!entry) entry = beginning(kIpa, rest);
-    if (entry) {
+    if (const Entry* const entry = first_sound(rest, sampa)) {
       PhoneMeaning found = meaning(*entry, 1, stress);
-      found.known = known;
+      found.known = known && is_one_sound(*entry, rest.substr(entry->name.size()), sampa);
       return found;
     }
     struct Mark {

@@ -59,6 +59,8 @@ const pages = {
   '/spikes.html': page('<mien-face id="spikes" src="spikes.face.json" width="72" height="72" deadline="200"></mien-face><mien-face id="it" seed="ada" width="72" height="72"></mien-face>'), '/spikes.face.json': spikyFace(),
   '/endless.html': page(['endless', 'it'].map((id) => `<mien-face id="${id}" seed="ada" width="72" height="72"></mien-face>`).join('')),
   '/speech.html': page(`<audio id="voice" muted src="${SILENCE}"></audio><mien-face id="it" seed="ada" width="72" height="72" speech="hello.tsv" sound="voice"></mien-face>`), '/hello.tsv': TRACK, '/long.tsv': Array.from({ length: 200 }, (_, i) => `${i / 5}\t${['PP', 'aa'][i % 2]}\n`).join('') + '40\tsil\n',
+  '/written.html': page(faces(12).replaceAll(/(id="f[0-5]"[^>]*>)/g, '$1<img alt="">')),
+  '/slow.html': page(`<mien-face id="slow" seed="ada" face-style="vinyl" width="600" height="600" clip="idle" playing></mien-face><div id="crowd">${faces(60, 'clip="idle" playing')}</div>`),
   '/file.html': one('src="toon.face.json" face-style="ink"'), '/toon.face.json': toon,
 };
 const server = await serve(built, pages);
@@ -120,6 +122,13 @@ test('what is in view comes first, then what is near; what is far is not drawn',
   assert.ok(order.every((i) => i >= 19 && i <= 24), `drawn were ${order}`);
   await on.run(() => scrollTo(0, 0));
   await drawn(on, 'f0');
+});
+
+test('faces with nothing in them come before those where a picture stands', async () => {
+  const on = await open('written');
+  await on.until(() => window.told.length >= 12);
+  const asked = await on.run(() => window.asked.slice(1, 6));  // the first one while the others were not known
+  assert.ok(asked.every((which) => which >= 6), `after the first one were asked for: ${asked}`);
 });
 
 test('what is hidden is not drawn until it is shown', async () => {
@@ -204,6 +213,10 @@ test('a track that runs goes before a crowd that plays, and no longer than it ru
   await on.run(() => new Promise((done) => setTimeout(done, 3000)));  // it ends long before
   const silent = await its();
   assert.ok(silent <= 4, `of 60 pictures after its track ${silent} were its own`);
+  // It has no turns to give back.
+  const since = await on.run(() => count('it'));
+  await on.run(() => new Promise((done) => setTimeout(done, 3000)));
+  assert.ok(await on.run(() => count('it')) > since, 'after its track it stands still');
   // While it talked, the other worker has read the crowd.
   const [both, first] = await on.run(() => [window.workers, window.askedOf.slice(-100).filter((which) => which === 0).length]);
   assert.ok(both === 1 || (first >= 20 && first <= 80), `of 100 pictures the first worker has drawn ${first}`);
@@ -226,6 +239,51 @@ test('who waits for the end of a track without a sound is told once', async () =
   });
   assert.deepEqual(ended.map(([speech]) => speech), ['hello.tsv']);
   assert.ok(ended[0][1] > 1000 * AT_END, `after ${ended[0][1]} ms of a track of ${AT_END} s`);
+});
+
+test('a slow face has its turns in a crowd', async () => {
+  const on = await open('slow', { width: 1280, height: 1000 });
+  await drawn(on, 'slow', 2);
+  const longest = await on.run(async () => {
+    const gaps = [];
+    for (let last = performance.now(); gaps.length < 4;) {
+      await new Promise((done) => slow.addEventListener('mien-drawn', done, { once: true }));
+      gaps.push(performance.now() - last), last = performance.now();
+    }
+    return [Math.max(...gaps), slow.cost];
+  });
+  assert.ok(longest[0] < 3000, `a picture of ${longest[1]} ms came once in ${longest[0]} ms`);
+});
+
+test('a track rests with its face, and tells its end when it has been spoken', async () => {
+  const on = await open('playing');
+  await drawn(on, 'it', 2);
+  const [resting, ended, of] = await on.run(async (track) => {
+    const wait = (ms) => new Promise((done) => setTimeout(done, ms)), ended = [];
+    it.addEventListener('mien-ended', ({ detail }) => ended.push([detail.speech, performance.now()]));
+    it.speak(track);
+    await wait(300);
+    it.playing = false;
+    await wait(1500);
+    const resting = ended.length, again = performance.now();
+    it.playing = true;
+    await wait(1500);
+    return [resting, ended.map(([, at]) => at - again), ended.map(([of]) => of)];
+  }, TRACK);
+  assert.equal(resting, 0);
+  assert.deepEqual(of, [null]);
+  assert.ok(ended[0] > 800 && ended[0] < 1450, `it ended ${ended[0]} ms after it went on`);
+});
+
+test('what is refused of a face that plays is told once', async () => {
+  const on = await open('playing');
+  await drawn(on, 'it', 3);
+  await on.run(() => { it.emotion = 'joyy=1'; });
+  assert.match((await sentence(on)).what, /joyy/);
+  await on.run(() => new Promise((done) => setTimeout(done, 500)));
+  assert.equal(await on.run(() => window.refused.length), 1);
+  await on.run(() => { it.emotion = 'joyyy=1'; });
+  await on.until(() => window.refused.length === 2);
 });
 
 test('pictures of a crowd that plays are shown together, and those of one face at once', async () => {

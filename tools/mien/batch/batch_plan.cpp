@@ -33,7 +33,7 @@ class BatchPlanReader {
   explicit BatchPlanReader(Reading& in) : in_(in) {}
 
   BatchPlan read(const JsonNode& root) {
-    expect_keys(root, {"$schema", "format", "format_version", "jobs"});
+    in_.expect_only(root, {"$schema", "format", "format_version", "jobs"});
     expect_format(in_, root, "mien-batch");
     const JsonNode& jobs = in_.need(root, "jobs");
     in_.expect(jobs, JsonKind::array);
@@ -44,17 +44,6 @@ class BatchPlanReader {
   }
 
  private:
-  /// A key that means nothing is refused: a plan costs too much to be read half.
-  void expect_keys(const JsonNode& node, std::vector<std::string_view> known) const {
-    in_.expect(node, JsonKind::object);
-    known.push_back("comment");
-    in_.for_each(node, [&](const JsonNode& one, int) {
-      const std::string_view key = in_.tree.key(one);
-      if (std::ranges::count(known, key) == 0)
-        throw Refusal{{in_.tree.where(one, true), unknown_name("key", one_line(key, 60), known)}};
-    });
-  }
-
   long whole(const JsonNode& node, double least, double most) const {
     const double value = in_.number(node);
     if (!(value >= least && value <= most) || value != double(long(value)))
@@ -64,7 +53,7 @@ class BatchPlanReader {
   }
 
   void read_job(const JsonNode& node) {
-    expect_keys(node, {"run", "each", "output", "join"});
+    in_.expect_only(node, {"run", "each", "output", "join"});
     BatchJob job;
     job.where = in_.tree.where(node);
     read_run(in_.need(node, "run"), job);
@@ -138,7 +127,7 @@ class BatchPlanReader {
 
   void read_source(const JsonNode& node, Variable& variable, const BatchJob& job) {
     in_.expect(node, JsonKind::object);
-    expect_keys(node, {"people", "seed", "from", "to", "frames", "regions", "stimuli"});
+    in_.expect_only(node, {"people", "seed", "from", "to", "frames", "regions", "stimuli"});
     constexpr double kMost = 1e15;
     if (const JsonNode* people = in_.find(node, "people")) {
       variable.kind = Variable::Kind::people;

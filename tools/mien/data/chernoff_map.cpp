@@ -29,8 +29,8 @@ class MapReader {
   MapReader(Reading& in, const std::filesystem::path& folder) : in_(in), folder_(folder) {}
 
   ChernoffMap read(const JsonNode& root) {
-    in_.expect_object(root, {"$schema", "format", "format_version", "label", "face", "map"},
-                      "map of data");
+    in_.expect_only(root, {"$schema", "format", "format_version", "label", "face", "map"},
+                    "map of data");
     expect_format(in_, root, "mien-chernoff");
     if (const JsonNode* label = in_.find(root, "label"))
       map_.label = in_.string(*label), map_.label_where = in_.tree.where(*label);
@@ -46,8 +46,8 @@ class MapReader {
 
  private:
   void read_feature(const JsonNode& node) {
-    in_.expect_object(
-        node, {"column", "number", "emotion", "part", "scale", "from", "to", "values"}, "feature");
+    in_.expect_only(node, {"column", "number", "emotion", "part", "scale", "from", "to", "values"},
+                    "feature");
     const JsonNode& column = in_.need(node, "column");
     ChernoffFeature feature{
         .column = std::string(in_.string(column)), .where = in_.tree.where(column), .name = {}};

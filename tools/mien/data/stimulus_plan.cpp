@@ -55,10 +55,10 @@ class PlanReader {
   PlanReader(Reading& in, const std::filesystem::path& folder) : in_(in), folder_(folder) {}
 
   StimulusPlan read(const JsonNode& root) {
-    in_.expect_object(root,
-                      {"$schema", "format", "format_version", "face", "size", "factors", "sample",
-                       "seed", "pairs", "neutral"},
-                      "plan");
+    in_.expect_only(root,
+                    {"$schema", "format", "format_version", "face", "size", "factors", "sample",
+                     "seed", "pairs", "neutral"},
+                    "plan");
     expect_format(in_, root, "mien-stimuli");
     if (const JsonNode* neutral = in_.find(root, "neutral")) plan_.neutral = in_.boolean(*neutral);
     if (const JsonNode* face = in_.find(root, "face")) read_face(*face);
@@ -90,7 +90,15 @@ class PlanReader {
       });
   }
 
+  /// A seed: a word, or a whole number, which is the word of its digits as after --seed.
   std::string word(const JsonNode& node) const {
+    if (node.kind == JsonKind::number) {
+      constexpr double kExact = 9007199254740992;  // 2^53
+      const double number = in_.number(node);
+      if (number >= 0 && number <= kExact && number == std::floor(number))
+        return fmt::format("{:.0f}", number);
+      in_.refuse(node, fmt::format("expected a word or a whole number, got {}", number));
+    }
     const std::string_view text = in_.string(node);
     if (text.empty()) in_.refuse(node, "an empty word is no seed");
     return std::string(text);
@@ -105,7 +113,7 @@ class PlanReader {
   }
 
   void read_factor(const JsonNode& node) {
-    in_.expect_object(
+    in_.expect_only(
         node,
         {"name", "codes", "people", "seed", "mean", "number", "emotion", "emotions", "control",
          "part", "caricature", "picture", "values", "steps", "from", "to", "equal"},
@@ -253,7 +261,9 @@ class PlanReader {
       for (const double value : factor.values) in_range(*values, value);
       refuse_equal(*values, factor.values);
     } else {
-      const JsonNode& from = in_.need(node, "steps");
+      const JsonNode* const steps_node = in_.find(node, "steps");
+      if (!steps_node) in_.refuse(node, "\"values\" are missing, or \"steps\" between two ends");
+      const JsonNode& from = *steps_node;
       const int steps = whole(from, 2, kMostSteps);
       if (const JsonNode* end = in_.find(node, "from")) lo = in_range(*end, in_.number(*end));
       if (const JsonNode* end = in_.find(node, "to")) hi = in_range(*end, in_.number(*end));

@@ -34,6 +34,17 @@ TEST(Reading, RefusesWhatIsOfAnotherKindWithItsPlace) {
   EXPECT_NE(refused(R"({"a": [2, 1]})", range), "");
 }
 
+TEST(Reading, RefusesKeysThatMeanNothing) {
+  const auto only = [](const Reading& r, const JsonNode& n) { r.expect_only(n, {"to"}, "way"); };
+  EXPECT_EQ(refused(R"({"a": {"to": 1, "comment": ""}})", only), "");
+  EXPECT_EQ(refused(R"({"a": {"to": 1, "ot": 1}})", only),
+            "t:1:17: /a/ot no key of a way named \"ot\"");
+  EXPECT_EQ(refused(R"({"a": 1})", only).substr(0, 11), "t:1:7: /a e");
+  const auto plain = [](const Reading& r, const JsonNode& n) { r.expect_only(n, {"seed"}); };
+  EXPECT_EQ(refused(R"({"a": {"sede": 1}})", plain),
+            "t:1:8: /a/sede no key named \"sede\"; did you mean \"seed\"?");
+}
+
 TEST(Reading, KnowsWordsByTheirPlace) {
   static constexpr std::string_view kWords[] = {"red", "green"};
   const auto word = [](const Reading& r, const JsonNode& n) {

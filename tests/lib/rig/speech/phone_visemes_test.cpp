@@ -46,6 +46,23 @@ TEST(PhoneVisemes, TakeTheNearestForWhatTheyDoNotKnow) {
   EXPECT_EQ(first(PhoneAlphabet::ipa, "☃"), Viseme::kk);
 }
 
+/// A word or a slip, whose letters are sounds each for itself.
+TEST(PhoneVisemes, TellWordsFromSounds) {
+  using enum PhoneAlphabet;
+  for (const char* name : {"hello", "blorp", "xq", "the", "ahoi", "aeiou", "pm", "ʃt", "ab", "paɪ"})
+    EXPECT_FALSE(phone_meaning(ipa, name).known) << name;
+  for (const char* name : {"b@U", "tSV", "n1a"})
+    EXPECT_FALSE(phone_meaning(sampa, name).known) << name;
+  EXPECT_EQ(first(ipa, "hello"), Viseme::kk) << "as it begins";
+  // Aligners' and synthesisers' own: MFA's and espeak's.
+  for (const char* name :
+       {"tʃ",  "t͡ʃ",  "tʰ", "kʷ", "ɟʷ", "t̪",  "n̩",  "aː",  "ɑːɹ", "əl", "ən", "əm", "aɪə",
+        "aɪɚ", "oːɹ", "ɔø", "pf", "kx", "nj", "nʲ", "ˈɛɹ", "a˥",  "ɑ5", "iə", "dʑ"})
+    EXPECT_TRUE(phone_meaning(ipa, name).known) << name;
+  for (const char* name : {"tS", "a:", "@U", "a_~", "i:6", "O6", "E@", "n_=", "\"aI"})
+    EXPECT_TRUE(phone_meaning(sampa, name).known) << name;
+}
+
 /// Whoever writes a track by hand mixes them.
 TEST(PhoneVisemes, KnowVisemesAmongPhones) {
   for (const PhoneAlphabet in : {PhoneAlphabet::ipa, PhoneAlphabet::arpabet})

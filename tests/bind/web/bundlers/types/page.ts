@@ -14,7 +14,7 @@ face.playing = true;
 face.alt = null;
 face.pose = { visemes: { aa: 1 }, set: { 'gaze.x': 0.1, 'palette/skin': '#ffd94a', 'brow.left/spine/1': [0.1, 0.2] }, clips: ['idle', 'idle=0.5'] };
 face.addEventListener('mien-drawn', ({ detail }) => detail.ms.toFixed());
-face.addEventListener('mien-ended', ({ detail }) => detail.speech.trim());
+face.addEventListener('mien-ended', ({ detail }) => detail.speech?.trim());
 face.addEventListener('mien-refused', ({ detail }) => `${detail.where}: ${detail.what}`);
 const text: string | null = face.emotion;
 // @ts-expect-error the name is misspelt
