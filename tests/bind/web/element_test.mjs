@@ -213,10 +213,6 @@ test('a track that runs goes before a crowd that plays, and no longer than it ru
   await on.run(() => new Promise((done) => setTimeout(done, 3000)));  // it ends long before
   const silent = await its();
   assert.ok(silent <= 4, `of 60 pictures after its track ${silent} were its own`);
-  // It has no turns to give back.
-  const since = await on.run(() => count('it'));
-  await on.run(() => new Promise((done) => setTimeout(done, 3000)));
-  assert.ok(await on.run(() => count('it')) > since, 'after its track it stands still');
   // While it talked, the other worker has read the crowd.
   const [both, first] = await on.run(() => [window.workers, window.askedOf.slice(-100).filter((which) => which === 0).length]);
   assert.ok(both === 1 || (first >= 20 && first <= 80), `of 100 pictures the first worker has drawn ${first}`);
@@ -239,6 +235,22 @@ test('who waits for the end of a track without a sound is told once', async () =
   });
   assert.deepEqual(ended.map(([speech]) => speech), ['hello.tsv']);
   assert.ok(ended[0][1] > 1000 * AT_END, `after ${ended[0][1]} ms of a track of ${AT_END} s`);
+});
+
+test('a face that has talked has no turns to give back', async () => {
+  const on = await open('talk', { width: 1280, height: 1000 });
+  await on.until(() => new Set(window.told.map(({ id }) => id)).size > 120);  // both workers have read some
+  const [talking, after] = await on.run(async () => {
+    const wait = (ms) => new Promise((done) => setTimeout(done, ms)), before = count('it');
+    Object.assign(it, { clip: ['idle'], playing: true, speech: 'long.tsv' });
+    await wait(4000);
+    it.speech = null;
+    await wait(200);
+    const then = count('it');
+    await wait(2500);
+    return [then - before, count('it') - then];
+  });
+  assert.ok(talking > 40 && after > 0, `of ${talking} pictures while it talked, ${after} came afterwards`);
 });
 
 test('a slow face has its turns in a crowd', async () => {
