@@ -20,9 +20,10 @@ from . import _command
 from ._errors import Error, Path, Warned, reading
 from ._kinds import path as path_of
 from ._kinds import said, whole, word
-from ._library import hinted
+from ._library import hinted, unknown_name
 from ._png import pixels as unpacked
 from ._saved import File, Picture, save, write_whole
+from .people import styles
 
 Plan = Union[Path, Mapping[str, Any]]
 _DATA = 'a data frame, {"column": [values]}, a list of records, or a path of a CSV file'
@@ -104,6 +105,8 @@ def chernoff(data: Any, map: Union[Plan, Sequence[Mapping[str, Any]], None] = No
     """
     if label is not None and isinstance(map, (str, os.PathLike)):
         raise Error("label", "goes with no map that is a file, which says it itself")
+    if style is not None and style not in styles():
+        raise Error("style", unknown_name("style", style, styles()))
     with tempfile.TemporaryDirectory(prefix="mien-") as folder:
         place = pathlib.Path(folder)
         table = _table_file(data, place)
@@ -245,7 +248,7 @@ def _table_file(data: Any, folder: pathlib.Path) -> Path:
         return path_of(data, "data")
     heading, rows = _rows(data)
     made = folder / "table.csv"
-    with open(made, "w", encoding="utf-8", newline="") as file:
+    with open(made, "w", encoding="utf-8", errors="surrogatepass", newline="") as file:  # of which the command tells where it is
         writer = csv.writer(file)
         writer.writerow(heading)
         writer.writerows([_cell(one) for one in row] for row in rows)

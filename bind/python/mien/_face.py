@@ -400,4 +400,11 @@ def from_seed(word: Word, *, style: Optional[str] = None, hold: Optional[Mapping
     """
     code = people.code(word_of(word, "word"))
     held = table({} if hold is None else hold, "hold", 'parts and numbers by name, such as {"hair": "bob"}')
-    return from_code(people.hold(code, *(f"{name}={value}" for name, value in held.items())), style=style)
+    return from_code(people.hold(code, *(f"{name}={_held(value, name)}" for name, value in held.items())), style=style)
+
+
+def _held(value: Any, name: str) -> Any:
+    """A part's name, or a number."""
+    if not isinstance(value, str):
+        number(value, f"hold[{name!r}]")
+    return value

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import inspect
 import math
+import operator
 import os
 import re
 from typing import Any, Callable, Mapping, Optional, Sequence, Union
@@ -42,26 +43,45 @@ def listed(value: Any, name: str, like: str) -> Sequence[Any]:
 def text(value: Any, name: str) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a text, got {said(value)}")
+    encoded(value, name)
     return value
+
+
+def encoded(value: str, name: str) -> bytes:
+    """A text in UTF-8. Bytes that the system gave in names of files come back as they were; other lone surrogates are no signs."""
+    try:
+        return value.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        raise Error(name, f"expected a text of signs that Unicode has, got {said(value)}") from None
 
 
 def raw(value: Any, name: str) -> bytes:
     """A file's text, as bytes."""
     if not isinstance(value, (str, bytes)):
         raise TypeError(f"{name}: expected a text or bytes, got {said(value)}")
-    return value if isinstance(value, bytes) else value.encode("utf-8", "surrogateescape")
+    return value if isinstance(value, bytes) else encoded(value, name)
 
 
 def word(value: Any, name: str) -> str:
     """A word, or a whole number as its text."""
     if isinstance(value, str):
-        return value
-    if isinstance(value, (bool, numpy.bool_)) or not hasattr(value, "__index__") or isinstance(value, numpy.ndarray):
-        raise TypeError(f"{name}: expected a word or a whole number, got {said(value)}")
+        return text(value, name)
     try:
-        return str(value.__index__())
+        return str(index(value, name, "a word or a whole number"))
+    except Error:
+        raise
     except ValueError:
         raise Error(name, "has too many digits") from None
+
+
+def index(value: Any, name: str, like: str) -> int:
+    """A whole number, and no truth or array that could be one."""
+    if not isinstance(value, (bool, numpy.bool_, numpy.ndarray)):
+        try:
+            return operator.index(value)
+        except TypeError:
+            pass
+    raise TypeError(f"{name}: expected {like}, got {said(value)}")
 
 
 def path(value: Any, name: str) -> str:
@@ -71,6 +91,7 @@ def path(value: Any, name: str) -> str:
         raise TypeError(f"{name}: expected a path, got {said(value)}")
     if "\0" in where:
         raise Error(name, f"a path has no NUL, got {said(where)}")
+    encoded(where, name)
     return where
 
 

@@ -301,7 +301,7 @@ def texts(function: Callable[..., Any], *arguments: Any) -> list[str]:
 
 def utf8(words: str, name: str = "text") -> tuple[bytes, int]:
     """A text as two arguments; `name` stands in the error about what is none."""
-    raw = _kinds.text(words, name).encode("utf-8", "surrogateescape")
+    raw = _kinds.encoded(_kinds.text(words, name), name)
     return raw, len(raw)
 
 

@@ -10,7 +10,7 @@ import numpy.typing
 
 from ._colors import NAMES, hexadecimal
 from ._errors import Error
-from ._kinds import listed, number, real, said, truth, whole
+from ._kinds import listed, number, real, said, text, truth, whole
 from ._library import DevicePixels, Handle, Pixels, Progress, RenderOptions, RenderStats, View, call, lib, unknown_name, utf8
 
 Size = Union[int, "tuple[int, int]"]
@@ -43,7 +43,7 @@ def sides(size: Size, aspect: float, name: str = "size") -> tuple[int, int]:
 def color(of: Color, name: str = "background") -> list[float]:
     """A colour in linear light: of "transparent", a name of CSS, "#rgb", "#rrggbb", "#rrggbbaa", or 3 or 4 numbers."""
     if isinstance(of, str):
-        return _color_of_text(of, name)
+        return _color_of_text(text(of, name), name)
     numbers = real(of, name).ravel()
     if numbers.size not in (3, 4):
         raise Error(name, f"expected 3 or 4 numbers, got {numbers.size}")
@@ -52,16 +52,16 @@ def color(of: Color, name: str = "background") -> list[float]:
     return [*map(float, numbers), 1.0][:4]
 
 
-def _color_of_text(text: str, name: str) -> list[float]:
+def _color_of_text(words: str, name: str) -> list[float]:
     found = (ctypes.c_double * 4)()
-    if text == "transparent":
+    if words == "transparent":
         return list(found)
     try:
-        call(lib.mien_color_from_text, *utf8(hexadecimal(text)), found)
+        call(lib.mien_color_from_text, *utf8(hexadecimal(words), name), found)
     except Error as error:
-        if text.startswith("#"):
-            raise Error(name, f"{error.what}, got {said(text)}") from None
-        meant = unknown_name("colour", text, ["transparent", *NAMES])
+        if words.startswith("#"):
+            raise Error(name, f"{error.what}, got {said(words)}") from None
+        meant = unknown_name("colour", words, ["transparent", *NAMES])
         raise Error(name, f"{meant}; colours are names, #rrggbb or #rrggbbaa") from None
     return list(found)
 
@@ -135,7 +135,7 @@ def dtype_of(given: Any) -> numpy.dtype[Any]:
     """The type of a picture's numbers: numpy.uint8, numpy.uint16, numpy.float32, or their names."""
     try:
         found = numpy.dtype(given)
-    except TypeError:
+    except (TypeError, ValueError):
         found = None
     if given is None or found not in DTYPES:
         raise Error("dtype", f"expected uint8, uint16 or float32, got {said(given)}")

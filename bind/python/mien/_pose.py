@@ -10,7 +10,7 @@ import numpy.typing
 from ._basis import Basis
 from ._colors import hexadecimal
 from ._errors import Error
-from ._kinds import Word, finite, listed, number, real, said, table, truth, word
+from ._kinds import Word, finite, listed, number, real, said, table, text, truth, word
 from ._library import Handle, call, lib, utf8
 from ._motion import Motion, Steady
 from ._picture import choice
@@ -53,10 +53,10 @@ def posed(face: Any, asked: Mapping[str, Any]) -> Handle:
         if not 0 <= share <= 1:
             raise Error("unwrap", f"goes from 0 to 1, got {share}")
         call(lib.mien_pose_unwrap, pose, share, mode)
-    for kind, text in strengths(asked):
-        call(lib.mien_pose_express, pose, *utf8(kind), *utf8(text), clamp)
-    for text in settings(asked):
-        call(lib.mien_pose_set, pose, *utf8(text))
+    for kind, words in strengths(asked):
+        call(lib.mien_pose_express, pose, *utf8(kind), *utf8(words), clamp)
+    for words in settings(asked):
+        call(lib.mien_pose_set, pose, *utf8(words))
     _lay_basis(pose, asked.get("basis"), asked.get("weights"))
     return made
 
@@ -71,7 +71,7 @@ def _play(pose: Any, asked: Mapping[str, Any]) -> None:
     if "frame" not in asked:
         return
     frame = asked["frame"]
-    seen = utf8(frame if isinstance(frame, str) else _json(frame))
+    seen = utf8(frame if isinstance(frame, str) else _json(frame), "frame")
     if steady is None:
         call(lib.mien_pose_follow, pose, *seen)
     else:
@@ -102,7 +102,7 @@ def strengths(asked: Mapping[str, Any]) -> "list[tuple[str, str]]":
     for kind in SINGULAR:
         given = asked.get(kind, {})
         if isinstance(given, str):
-            found.append((kind, given if "=" in given else f"{given}=1"))
+            found.append((kind, text(given, kind) if "=" in given else f"{text(given, kind)}=1"))
             continue
         for name, strength in table(given, kind, f'"NAME", "NAME=STRENGTH" or {_LIKE[kind + "s"]}').items():
             found.append((kind, f"{name}={number(strength, f'{kind}[{name!r}]')!r}"))
@@ -149,7 +149,7 @@ def clip_texts(asked: Mapping[str, Any]) -> "list[str]":
 
 def _clip_text(clip: Any, where: str) -> str:
     if isinstance(clip, str):
-        return clip
+        return text(clip, where)
     parts = tuple(clip) if isinstance(clip, (tuple, list)) else ()
     if not 2 <= len(parts) <= 3 or not isinstance(parts[0], str):
         raise Error(where, f"expected a name, (name, weight) or (name, weight, begin), got {said(clip)}")

@@ -14,7 +14,8 @@ import numpy.typing
 
 from . import _library
 from ._errors import Error, Path, writing
-from ._kinds import number, path as path_of, said, whole
+from ._kinds import index, number, said, whole
+from ._kinds import path as path_of
 from ._library import WriteOptions, call, hinted, path_bytes, unknown_name, utf8
 from ._picture import Watched, pixels_of
 from ._png import png
@@ -97,9 +98,7 @@ def write_options(path: Path, kind: str, depth: Any, threads: int, memory: int, 
 
 def _bytes(memory: Any) -> int:
     """So many bytes; there may be more than an int32 counts."""
-    if not hasattr(memory, "__index__") or isinstance(memory, numpy.ndarray):
-        raise TypeError(f"memory: expected a whole number of bytes, got {said(memory)}")
-    return min(max(int(memory.__index__()), 0), 2**64 - 1)
+    return min(max(index(memory, "memory", "a whole number of bytes"), 0), 2**64 - 1)
 
 
 def to_pil(pixels: numpy.typing.NDArray[Any]) -> Any:

@@ -61,7 +61,7 @@ class Table(tuple[Row, ...]):
 
 
 @hinted
-def check(solver: Solver, *, count: int = 1000, seed: int = 1, program: Optional[str] = None, cases: Optional[Path] = None) -> Table:
+def check(solver: Solver, *, count: int = 1000, seed: int = 1, program: Optional[Path] = None, cases: Optional[Path] = None) -> Table:
     """Runs a solver on `count` cases of each family of quadratic curves, and gives a `Table`: a `Row` for each family.
 
     solver   solver(points, x, y), of 3 x 2 control points and of x and y of length 1, gives one distance
@@ -105,7 +105,7 @@ class FeetTable(tuple[FeetRow, ...]):
 
 
 @hinted
-def check_feet(solver: Callable[[Reals, Reals, Reals], Any], *, count: int = 1000, seed: int = 1, program: Optional[str] = None,
+def check_feet(solver: Callable[[Reals, Reals, Reals], Any], *, count: int = 1000, seed: int = 1, program: Optional[Path] = None,
                cases: Optional[Path] = None) -> FeetTable:
     """Runs a solver of feet on `count` cases of each family of one quadratic curve, and gives a `FeetTable`: a `FeetRow` for each family.
 
@@ -118,12 +118,12 @@ def check_feet(solver: Callable[[Reals, Reals, Reals], Any], *, count: int = 100
     return FeetTable(_feet_row(solver, name, of) for name, of in found.items())
 
 
-def _families(count: int, seed: int, program: Optional[str], cases: Optional[Path],
+def _families(count: int, seed: int, program: Optional[Path], cases: Optional[Path],
               more: list[str]) -> dict[str, Reals]:
     columns = 19 if more else 10
     if cases is not None:
         return _read(cases, columns)
-    command = program or os.environ.get("MIEN_ACCURACY") or _own_program()
+    command = os.fspath(program or "") or os.environ.get("MIEN_ACCURACY") or _own_program()
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "cases.csv")
         try:

@@ -16,8 +16,6 @@ from __future__ import annotations
 import ctypes
 from typing import Any, NamedTuple, Union
 
-import numpy
-
 from . import _kinds
 from ._errors import Error
 from ._kinds import Word, number, said, whole
@@ -37,14 +35,14 @@ def seed(word: Word) -> int:
 @hinted
 def code(of: Union[str, int]) -> str:
     """The code of a word, or of a seed: `code(seed("ada"))` is `code("ada")`."""
-    return texts(lib.mien_code_from_seed, seed(of) if isinstance(of, str) else _seed(of, "a word or a seed"))[0]
+    return texts(lib.mien_code_from_seed, seed(_kinds.text(of, "of")) if isinstance(of, str) else _seed(of, "a word or a seed"))[0]
 
 
 @hinted
 def recipe(of: Union[str, int]) -> str:
     """The recipe of a code, or of a seed: a face file of a few lines."""
     if isinstance(of, str):
-        return texts(lib.mien_recipe_from_code, *utf8(of))[0]
+        return texts(lib.mien_recipe_from_code, *utf8(of, "of"))[0]
     return texts(lib.mien_recipe_from_seed, _seed(of, "a code or a seed"))[0]
 
 
@@ -60,7 +58,8 @@ def in_full(words: str, name: str = "face") -> str:
 
 @hinted
 def crowd(word: Word, count: int) -> list[str]:
-    """The codes of people no two of whom look alike. The first n are the same in every crowd of the word.
+    """The codes of people no two of whom look alike. The first n are the same in every crowd of the word. A whole number is its text: 42 is
+    "42".
 
     >>> crowd("chorus", 3) == crowd("chorus", 5)[:3]
     True
@@ -140,9 +139,7 @@ _seed_of_word = seed
 
 
 def _seed(of: Any, like: str) -> int:
-    if isinstance(of, (bool, numpy.ndarray)) or not hasattr(of, "__index__"):
-        raise TypeError(f"of: expected {like}, got {said(of)}")
-    number = int(of.__index__())
+    number = _kinds.index(of, "of", like)
     if not 0 <= number < 2**50:
         raise Error("of", f"expected a seed, 0 to below 2^50, got {said(number)}")
     return number

@@ -26,12 +26,13 @@ CASES = sys.argv.pop()
 ROOT = pathlib.Path(sys.argv.pop())
 os.environ["MIEN_COMMAND"] = sys.argv.pop()
 
-WRONG = {"none": None, "float": 1.5, "bytes": b"x", "object": object(), "list": [], "nan": float("nan"), "huge": 10**400, "text": "xyz", "complex": 1j}
+WRONG = {"none": None, "float": 1.5, "bytes": b"x", "object": object(), "list": [], "nan": float("nan"), "huge": 10**400, "text": "xyz", "complex": 1j,
+         "lone": chr(0xd800), "class": int}
 # What an annotation takes of these; None where it says Optional or None.
-TAKES = {"str": "text", "Path": "text", "Word": "text huge", "Text": "text bytes", "float": "float", "File": "text", "int": "", "bool": ""}
+TAKES = {"str": "text", "Path": "text", "Word": "text huge", "Text": "text bytes", "float": "float", "File": "text", "int": "", "bool": "", "Watch": "class"}
 # Words of Python and of ctypes that users should not read.
 INTERNAL = re.compile(r"ctypes|argument \d|NoneType|not supported between|unsupported operand|has no attribute|embedded null|__\w+__|unexpected keyword|positional|"
-                      r"must be real|cannot be interpreted|object is not|0x[0-9a-f]{6,}")
+                      r"must be real|cannot be interpreted|object is not|codec can't|descriptor|0x[0-9a-f]{6,}")
 QUAD, QUADS = [[0, 0], [0.5, 1], [1, 0]], [[[0, 0], [0.5, 1], [1, 0]]]
 WIDTHS = [0.1, 0.1, 0.1]
 POINT = {"x": "float list nan", "y": "float list nan"}
@@ -81,7 +82,7 @@ def calls():
         "feet.quad": ({"points": QUAD, **place}, POINT), "feet.quads": ({"curves": QUADS, **place}, {**POINT, "curves": "list"}), "feet.line": ({"a": (0, 0), "b": (1, 1), **place}, POINT),
         "feet.lines": ({"segments": [[[0, 0], [1, 1]]], **place}, {**POINT, "segments": "list"}), "feet.tapered": ({"points": QUAD, "half_widths": WIDTHS, **place}, POINT),
         "feet.tapereds": ({"strokes": QUADS, "half_widths": [WIDTHS], **place}, POINT), "feet.ellipse": ({"center": (0, 0), "radii": (2, 1), **place}, POINT),
-        "lab.check": ({"solver": distance.quad, "count": 1, "program": CASES}, {}), "lab.check_feet": ({"solver": distance.feet.quad, "count": 1, "program": CASES}, {}),
+        "lab.check": ({"solver": distance.quad, "count": 1, "program": CASES}, {"solver": "class"}), "lab.check_feet": ({"solver": distance.feet.quad, "count": 1, "program": CASES}, {"solver": "class"}),
         "dask.submit": ({"plan": "a.json", "client": _Client(), "folder": "out"}, {"parts": "none"}), "dask.join": (None, {}),
         **methods(made, folder)}
 
@@ -233,6 +234,16 @@ class Names(unittest.TestCase):
     def test_are_seen_by_help(self):
         for function, name in ((FACE.render, "fit"), (mien.sheet, "background"), (FACE.speak, "emotion"), (FACE.animate, "quality")):
             self.assertIn(name, inspect.signature(function).parameters)
+
+
+class Texts(unittest.TestCase):
+    def test_have_no_end_before_their_end(self):
+        for call, words in ((lambda: mien.read_face("a\0b"), "path: a path has no NUL"), (lambda: mien.lab.check(abs, program="a\0b"), "program: a path has no NUL"),
+                            (lambda: mien.chernoff(TABLE, style="a\0b"), "style: no style named"), (lambda: FACE.morphs_text({"a\0b": FACE}), "shapes: a name has no NUL"),
+                            (lambda: mien.face_text_with(TOON, {"yaw\0b": 1}), "set: a name has no NUL"), (lambda: mien.from_seed("a", hold={"age": object()}), r"hold\['age'\]: expected a number, got <object object>"),
+                            (lambda: mien.chernoff({"who": [chr(0xd800)], "a": [1]}), "^data:2")):
+            with self.assertRaisesRegex((TypeError, mien.Error), words):
+                call()
 
 
 class Seeds(unittest.TestCase):
