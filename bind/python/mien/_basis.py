@@ -10,9 +10,10 @@ import numpy
 import numpy.typing
 
 from . import _library
-from ._errors import Error, Path, reading, writing
-from ._library import Handle, call, lib, path_bytes
-from ._picture import real, whole
+from ._errors import Error, Path, reading
+from ._kinds import number, real, whole
+from ._library import Handle, call, hinted, lib, made_by, path_bytes
+from ._saved import write_whole
 
 Array = numpy.typing.NDArray[numpy.float64]
 Numbers = Union[Sequence[Any], numpy.typing.NDArray[Any]]
@@ -22,7 +23,7 @@ class Basis:
     """The principal components of an animation: a frame is mean + weights @ components. It never changes."""
 
     def __init__(self, handle: Handle) -> None:
-        self._handle = handle
+        self._handle = made_by(handle, "a basis", "mien.fit_basis, face.fit_basis or mien.read_basis")
         self._info = _library.BasisInfo(size=ctypes.sizeof(_library.BasisInfo))
         call(lib.mien_basis_about, handle.value, self._info)
 
@@ -80,6 +81,7 @@ class Basis:
         call(lib.mien_basis_numbers, self._handle.value, which, values.ctypes.data, values.size)
         return values
 
+    @hinted
     def decode(self, weights: Optional[Numbers] = None) -> Array:
         """Frames [F, vertices, dimensions] of weights [F, at most n]; without weights those it was fitted to."""
         rows = numpy.ascontiguousarray(real(self.weights if weights is None else weights, "weights"), numpy.float64)
@@ -90,6 +92,7 @@ class Basis:
             call(lib.mien_basis_decode, self._handle.value, row.ctypes.data, row.size, frame.ctypes.data, frame.size)
         return frames
 
+    @hinted
     def encode(self, frames: Numbers) -> Array:
         """The weights [F, n] of frames [F, vertices, dimensions] or [F, numbers]."""
         rows = numpy.ascontiguousarray(real(frames, "frames"), numpy.float64)
@@ -100,10 +103,10 @@ class Basis:
         call(lib.mien_basis_encode, self._handle.value, rows.ctypes.data, len(rows), weights.ctypes.data, weights.size)
         return weights
 
+    @hinted
     def save(self, path: Path) -> None:
         """Writes a basis file, as `mien pca` and `read_basis` take it."""
-        with writing(path):
-            pathlib.Path(path).write_bytes(self._file())
+        write_whole(path, self._file())
 
     def _file(self) -> bytes:
         raw = ctypes.create_string_buffer(max(int(lib.mien_basis_file_size(self._handle.value)), 1))
@@ -136,12 +139,14 @@ def _basis_again(raw: bytes) -> Basis:
         return read_basis(file)
 
 
+@hinted
 def read_basis(path: Path) -> Basis:
     """Reads a basis file, of `mien pca fit` or `Basis.save`."""
     with reading(path):
         return Basis(Handle(lib.mien_basis_free, lib.mien_basis_read, *path_bytes(path)))
 
 
+@hinted
 def fit_basis(frames: Numbers, *, components: Optional[int] = None, variance: Optional[float] = None,
               max_error: Optional[float] = None) -> Basis:
     """A basis of frames [F, vertices, dimensions] or [F, numbers]: see `wish` for how many components it has."""
@@ -155,8 +160,9 @@ def fit_basis(frames: Numbers, *, components: Optional[int] = None, variance: Op
 
 def wish(components: Optional[int], variance: Optional[float], max_error: Optional[float]) -> tuple[int, float]:
     """One of: so many components; the fewest that hold this share of the variance; the fewest with no larger error."""
-    asked = [(0, None if components is None else float(whole(components, "components"))), (1, variance), (2, max_error)]
-    given = [(kind, float(value)) for kind, value in asked if value is not None]
+    asked = [None if components is None else float(whole(components, "components")), None if variance is None else number(variance, "variance"),
+             None if max_error is None else number(max_error, "max_error")]
+    given = [(kind, value) for kind, value in enumerate(asked) if value is not None]
     if len(given) != 1:
         raise Error("fit", "expected components, variance or max_error, one of them")
     return given[0]

@@ -70,9 +70,9 @@ def needed(what: str, instead: str = "") -> str:
     return command
 
 
-def run(what: str, *words: "str | os.PathLike[str]", instead: Mapping[str, str] = MappingProxyType({})) -> str:
-    """What the command prints. What it warns of is a `mien.Warned`, and what it refuses an Error in its words. `instead` of addresses of
-    files that stand for something else, users read its name."""
+def ran(what: str, *words: "str | os.PathLike[str]", instead: Mapping[str, str] = MappingProxyType({})) -> "tuple[str, list[str]]":
+    """What the command prints, and what it warns of. What it refuses is an Error in its words. `instead` of addresses of files that stand for
+    something else, users read its name."""
     command = needed(what)
     done = subprocess.run([command, *(os.fspath(word) for word in words), "--progress", "none"], capture_output=True, text=True, encoding="utf-8", errors="replace")
     told = done.stderr
@@ -82,6 +82,12 @@ def run(what: str, *words: "str | os.PathLike[str]", instead: Mapping[str, str] 
     if done.returncode:
         where, _, sentence = (lines[-1] if lines else f"{what}: ended with {done.returncode}").partition(": ")
         raise Error(where, sentence)
+    return done.stdout, lines
+
+
+def run(what: str, *words: "str | os.PathLike[str]", instead: Mapping[str, str] = MappingProxyType({})) -> str:
+    """What the command prints. What it warns of is a `mien.Warned`."""
+    printed, lines = ran(what, *words, instead=instead)
     for line in lines:
         warnings.warn(line, Warned, stacklevel=4)  # who called mien.chernoff or mien.stimuli
-    return done.stdout
+    return printed

@@ -12,12 +12,15 @@ import numpy.typing
 from . import _library, people
 from ._basis import Basis, wish
 from ._errors import Error, Path, reading
-from ._library import Handle, NameRecord, call, hinted, lib, text, texts, utf8
+from ._kinds import Text, Word, finite, number, said, table, whole
+from ._kinds import raw as raw_of
+from ._kinds import word as word_of
+from ._library import Handle, NameRecord, call, hinted, hinted_with, lib, parameters_of, text, texts, utf8
 from ._motion import Motion, Steady
 from ._names import Canvas, Name
-from ._picture import Renderer, Size, whole
-from ._pose import ClipLike, MotionLike, One, PoseLike, Strengths, Value, posed, value_text
-from ._posed import Posed, Svg
+from ._picture import Renderer, Size
+from ._pose import ClipLike, MotionLike, One, PoseLike, Strengths, Value, pose_of, posed, value_text
+from ._posed import HOW, Posed, Svg
 from ._saved import File
 from ._source import Source, read, source_of
 
@@ -44,11 +47,13 @@ class Face:
         self._names: Optional[Mapping[str, Name]] = None
 
     @classmethod
-    def from_seed(cls, word: Union[str, int], *, style: Optional[str] = None, hold: Optional[Mapping[str, Any]] = None) -> Face:
+    @hinted
+    def from_seed(cls, word: Word, *, style: Optional[str] = None, hold: Optional[Mapping[str, Any]] = None) -> Face:
         """As `mien.from_seed`."""
         return from_seed(word, style=style, hold=hold)
 
     @classmethod
+    @hinted
     def from_code(cls, code: str, *, style: Optional[str] = None) -> Face:
         """As `mien.from_code`."""
         return from_code(code, style=style)
@@ -73,6 +78,7 @@ class Face:
         """Its face file. Parts of one's own lie beside it, and morph targets in other files."""
         return self._source.text.decode("utf-8", "replace")
 
+    @hinted
     def with_style(self, style: str) -> Face:
         """The same person painted in another style, one of `people.styles()`."""
         source = self._source.styled(style)
@@ -143,7 +149,7 @@ class Face:
              roll: Optional[float] = None, clips: Optional[Sequence[ClipLike]] = None, clip: Optional[ClipLike] = None,
              look_at: Optional[Sequence[float]] = None, unwrap: Optional[float] = None, unwrap_mode: Optional[str] = None,
              clamp: Optional[bool] = None, basis: Optional[Basis] = None, weights: Optional[Sequence[float]] = None,
-             seed: Union[str, int, None] = None, liveliness: Optional[float] = None, gestures: Optional[float] = None,
+             seed: Optional[Word] = None, liveliness: Optional[float] = None, gestures: Optional[float] = None,
              motions: Union[Motion, Sequence[MotionLike], None] = None,
              frame: Union[str, Mapping[str, Any], Sequence[Any], None] = None,
              steady: Optional[tuple[Steady, float]] = None) -> Posed:
@@ -171,21 +177,31 @@ class Face:
         asked = {name: value for name, value in locals().items() if name != "self" and value is not None}
         return Posed(self, posed(self._handle.value, asked), asked)
 
+    @hinted_with(parameters_of(pose, "time", "motions"))
     def speak(self, track: Motion, time: float, **pose: Any) -> Posed:
         """The face at a moment of a track of speech, or of a take [s]: what sounds then. `pose` has further arguments of
         `Face.pose`; without `clips` the face's first one runs below."""
+        if not isinstance(track, Motion):
+            raise TypeError(f"track: expected a mien.Motion, as read_motion gives it, got {said(track)}")
         below: dict[str, Any] = {} if "clips" in pose or "clip" in pose else {"clips": self.clips[:1]}
         return self.pose(time=time, motions=[track], **below, **pose)
 
+    @hinted_with(parameters_of(pose, "frame"))
     def follow(self, frame: Union[str, Mapping[str, Any], Sequence[Any]], **pose: Any) -> Posed:
         """The face as a camera saw an actor's: ARKit's shapes by name, a result of MediaPipe, or its JSON. `steady` is
         (Steady(), the frame's moment [s]) for frames that come live."""
+        if frame is None:
+            raise TypeError("frame: expected shapes by name, a result of MediaPipe or its JSON, got None")
         return self.pose(frame=frame, **pose)
 
+    @hinted
     def unfollowed(self, motion: Motion) -> tuple[str, ...]:
         """The names of what moves in a motion and not in this face."""
+        if not isinstance(motion, Motion):
+            raise TypeError(f"motion: expected a mien.Motion, as read_motion gives it, got {said(motion)}")
         return tuple(texts(lib.mien_motion_unfollowed, motion._handle.value, self._handle.value))
 
+    @hinted_with(parameters_of(pose))
     def fit_basis(self, count: int, *, fps: float = 30, first: int = 0, components: Optional[int] = None,
                   variance: Optional[float] = None, max_error: Optional[float] = None, **pose: Any) -> Basis:
         """A basis of `count` frames of the face, at first / fps, (first + 1) / fps ... seconds, as `mien pca fit` makes it.
@@ -196,25 +212,30 @@ class Face:
         if (frames := whole(count, "count")) < 1:
             raise Error("count", "expected 1 frame or more")
         posed = self.pose(**pose)
-        return Basis(Handle(lib.mien_basis_free, lib.mien_basis_of_pose, posed._pose.value, whole(first, "first"), frames, float(fps),
+        return Basis(Handle(lib.mien_basis_free, lib.mien_basis_of_pose, posed._pose.value, whole(first, "first"), frames, number(fps, "fps"),
                             *wish(components, variance, max_error)))
 
+    @hinted_with(parameters_of(Posed.render))
     def render(self, size: Size = 1024, **how: Any) -> numpy.typing.NDArray[Any]:
         """The picture at rest: see `Posed.render`."""
         return self.pose().render(size, **how)
 
+    @hinted_with(parameters_of(Posed.for_device))
     def for_device(self, format: str, size: Size = 240, **how: Any) -> numpy.typing.NDArray[Any]:
         """The picture at rest for a small display: see `Posed.for_device`."""
         return self.pose().for_device(format, size, **how)
 
+    @hinted_with(parameters_of(Posed.save))
     def save(self, file: File, size: Size = 1024, **how: Any) -> None:
         """Draws it at rest into a file: see `Posed.save`."""
         self.pose().save(file, size, **how)
 
+    @hinted_with(parameters_of(Posed.svg))
     def svg(self, size: Size = 1024, **how: Any) -> Svg:
         """It at rest as an SVG file: see `Posed.svg`."""
         return self.pose().svg(size, **how)
 
+    @hinted_with(parameters_of(Posed.render))
     def to_pil(self, size: Size = 1024, **how: Any) -> Any:
         """The picture at rest as a PIL.Image."""
         return self.pose().to_pil(size, **how)
@@ -222,6 +243,7 @@ class Face:
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.typing.NDArray[Any]:
         return self.pose().__array__(dtype, copy)
 
+    @hinted_with(parameters_of(Posed.render, "renderer"))
     def frames(self, count: int, size: Size = 1024, *, fps: float = 30, begin: float = 0,
                pose: PoseLike = None,
                **how: Any) -> Iterator[numpy.typing.NDArray[Any]]:
@@ -230,44 +252,59 @@ class Face:
         `pose` has the arguments of `Face.pose`, or is a function that gives them for a time; without a `time` of
         its own each frame has that of its number. `how` is as for `Posed.render`.
         """
+        if not finite(fps, "fps") > 0:
+            raise Error("fps", f"expected more than 0, got {fps}")
+        finite(begin, "begin")
+        return self._frames(whole(count, "count"), size, fps, begin, pose_of(pose), how)
+
+    def _frames(self, count: int, size: Size, fps: float, begin: float, pose: PoseLike, how: Mapping[str, Any]) -> Iterator[numpy.typing.NDArray[Any]]:
         renderer = Renderer()
         for frame in range(count):
             time = begin + frame / fps
-            asked: dict[str, Any] = {"time": time, **((pose(time) if callable(pose) else pose) or {})}
+            asked: dict[str, Any] = {"time": time, **((pose_of(pose(time)) if callable(pose) else pose) or {})}
             yield self.pose(**asked).render(size, renderer=renderer, **how)
 
+    @hinted_with(HOW)
     def animate(self, file: Optional[File] = None, *, seconds: Optional[float] = None, frames: Optional[int] = None, fps: float = 30,
                 size: Size = 320, begin: float = 0, pose: PoseLike = None, sound: Optional[Path] = None, format: Optional[str] = None,
-                **how: Any) -> Film:
+                quality: Optional[int] = None, **how: Any) -> Film:
         """A film: .apng (or .png), .gif, .webp, .mp4 or .webm, which a notebook plays.
 
         file      a path or a file object; without one the film is in memory, as APNG
-        seconds   how long, or so many `frames`; default 2 s
+        seconds   how long, or so many `frames`; default until the last of the pose's `motions` ends, or 2 s without motions
         pose      as for `frames`: arguments of `Face.pose`, or a function of the time that gives them
         sound     a file of it, for .mp4 and .webm, from the film's beginning on
         format    "gif" …, where the file's name does not say it
+        quality   1 to 100, of .webp alone, and then with loss, by Pillow; without it nothing is lost
         how       as for `Posed.render`
 
         This package writes APNG. GIF and WebP are written by the command `mien`, where it has words for the pose, or by Pillow; .mp4 and
         .webm need ffmpeg.
         """
         from ._film import animate  # which knows faces
-        return animate(self, file, seconds=seconds, frames=frames, fps=fps, size=size, begin=begin, pose=pose, sound=sound, format=format, **how)
+        return animate(self, file, seconds=seconds, frames=frames, fps=fps, size=size, begin=begin, pose=pose, sound=sound, format=format, quality=quality,
+                       **how)
 
+    @hinted
     def with_morphs(self, path: Path) -> Face:
         """The face with the morph targets of a file: further names, whose weights `set` holds."""
         with reading(path), open(path, "rb") as file:
             return self.with_morphs_text(file.read(), os.fspath(path))
 
-    def with_morphs_text(self, words: Union[str, bytes], name: str = "morphs") -> Face:
+    @hinted
+    def with_morphs_text(self, words: Text, name: str = "morphs") -> Face:
         """The same from memory; `name` stands for the file's name in errors."""
-        raw = words if isinstance(words, bytes) else utf8(words)[0]
+        raw = raw_of(words, "words")
         made = Handle(lib.mien_face_free, lib.mien_face_with_morphs_text, self._handle.value, raw, len(raw), *utf8(name))
         return Face(made, self._source.with_more(name, raw))
 
+    @hinted
     def morphs_text(self, shapes: Mapping[str, Face]) -> str:
         """The text of a file of morph targets: the same face, slice for slice, in other shapes, by name."""
-        names = (ctypes.c_char_p * len(shapes))(*(utf8(name)[0] for name in shapes))
+        for name, face in table(shapes, "shapes", 'faces by name, such as {"cold": face}').items():
+            if not isinstance(face, Face):
+                raise TypeError(f"shapes[{name!r}]: expected a face, got {said(face)}")
+        names = (ctypes.c_char_p * len(shapes))(*(_c_text(name, "shapes") for name in shapes))
         faces = (ctypes.c_void_p * len(shapes))(*(face._handle.value.value for face in shapes.values()))
         return texts(lib.mien_morphs_text, self._handle.value, names, faces, len(shapes))[0]
 
@@ -307,38 +344,48 @@ def read_face(path: Path) -> Face:
 
 
 @hinted
-def read_face_text(words: Union[str, bytes], name: str = "face") -> Face:
+def read_face_text(words: Text, name: str = "face") -> Face:
     """The same from memory; `name` stands for the file's name in errors."""
-    source = Source(words if isinstance(words, bytes) else utf8(words)[0], name)
+    source = Source(raw_of(words, "words"), name)
     return Face(source.handle(), source)
 
 
-def face_pointers(words: Union[str, bytes], name: str = "face") -> dict[str, str]:
+@hinted
+def face_pointers(words: Text, name: str = "face") -> dict[str, str]:
     """Where a face file's text says its values: JSON pointers (RFC 6901) by the values' names.
 
     Two sides that the file writes once have the same one. Names that the file does not hold are not among them: controls,
     whose values are poses, and all names of a recipe.
     """
     face = read_face_text(words, name)
-    raw = words if isinstance(words, bytes) else utf8(words)[0]
+    raw = raw_of(words, "words")
     return {known: at for known, at in zip(face.names, texts(lib.mien_face_pointers, raw, len(raw), *utf8(name))) if at}
 
 
-def face_text_with(words: Union[str, bytes], set: Mapping[str, Value], name: str = "face") -> EditedText:
+@hinted
+def face_text_with(words: Text, set: Mapping[str, Value], name: str = "face") -> EditedText:
     """A face file's text with other values; all else keeps every byte.
 
     `set` is that of `Face.pose`. A side that differs from its mirror image gets an object of its own.
     """
-    raw = words if isinstance(words, bytes) else utf8(words)[0]
-    settings = (ctypes.c_char_p * len(set))(*(utf8(f"{one}={value_text(value, one)}")[0] for one, value in set.items()))
-    made, *left = texts(lib.mien_face_text_with, raw, len(raw), *utf8(name), settings, len(set))
+    raw = raw_of(words, "words")
+    values = table(set, "set", 'values by name, such as {"brow_lift": 0.5}')
+    settings = (ctypes.c_char_p * len(values))(*(_c_text(f"{one}={value_text(value, str(one))}", "set") for one, value in values.items()))
+    made, *left = texts(lib.mien_face_text_with, raw, len(raw), *utf8(name), settings, len(values))
     return EditedText(made, tuple(left))
+
+
+def _c_text(words: str, name: str) -> bytes:
+    """A text that C reads to its end."""
+    raw = utf8(words, name)[0]
+    if b"\0" in raw:
+        raise Error(name, f"a name has no NUL, got {said(words)}")
+    return raw
 
 
 @hinted
 def from_code(code: str, *, style: Optional[str] = None) -> Face:
     """The person of a code, "AA7Q2-MKX4T-BY"; `style`, such as "ink", is how she is painted (`people.styles()`)."""
-    utf8(code)
     source = Source(None, code, code)
     if style is not None:
         source = source.styled(style)
@@ -346,11 +393,18 @@ def from_code(code: str, *, style: Optional[str] = None) -> Face:
 
 
 @hinted
-def from_seed(word: Union[str, int], *, style: Optional[str] = None, hold: Optional[Mapping[str, Any]] = None) -> Face:
-    """The person of a word, such as a user's name, or of a number: the same word, the same person.
+def from_seed(word: Word, *, style: Optional[str] = None, hold: Optional[Mapping[str, Any]] = None) -> Face:
+    """The person of a word, such as a user's name: the same word, the same person. A whole number is its text: 42 is "42".
 
     `hold` has parts and numbers that she has whatever the word says: {"hair": "bob", "age": 30}.
     """
-    code = people.code(word)
-    held = _library.table({} if hold is None else hold, "hold", 'parts and numbers by name, such as {"hair": "bob"}')
-    return from_code(people.hold(code, *(f"{name}={value}" for name, value in held.items())), style=style)
+    code = people.code(word_of(word, "word"))
+    held = table({} if hold is None else hold, "hold", 'parts and numbers by name, such as {"hair": "bob"}')
+    return from_code(people.hold(code, *(f"{name}={_held(value, name)}" for name, value in held.items())), style=style)
+
+
+def _held(value: Any, name: str) -> Any:
+    """A part's name, or a number."""
+    if not isinstance(value, str):
+        number(value, f"hold[{name!r}]")
+    return value

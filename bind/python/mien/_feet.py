@@ -15,6 +15,9 @@ curve of a list. x and y broadcast against each other to some shape S; all is fl
     distance  as the functions of mien.distance have it                                                    infinity
     normal    S + (2,), its gradient, of length 1                                                          0, 0
     bend      the curvature of the level line there, positive where it bends away from the normal          0
+    point     S + (2,), where the foot is on the outline: (x, y) - distance normal                          NaN
+
+The normal points from the foot to the place; inside a stroke or an ellipse, where the distance is negative, from the place to the foot.
 
 Curves in a list are joined where one begins exactly where the one before ends (with the same half-width). <mien/feet.h> has all
 rules, docs/numerics.md the error bounds.
@@ -29,9 +32,9 @@ import numpy.typing
 
 from . import distance as _distance
 from ._errors import Error
-from ._library import call, lib
+from ._kinds import finite, real
+from ._library import call, hinted, lib
 from ._library import Feet as _Arrays
-from ._picture import real
 
 __all__ = ["Feet", "Foot", "ellipse", "line", "lines", "quad", "quads", "tapered", "tapereds"]
 
@@ -40,13 +43,20 @@ ArrayLike = numpy.typing.ArrayLike
 
 
 class Foot(NamedTuple):
-    """Arrays of the shape that x and y have together; `normal` has a last axis of 2 more."""
+    """Arrays of the shape that x and y have together; `normal` and `point` have a last axis of 2 more."""
 
     piece: Any
     t: Any
     distance: Any
     normal: Any
     bend: Any
+    point: Any
+
+    def __repr__(self) -> str:
+        shape = numpy.shape(self.distance)
+        if shape == ():
+            return f"<mien.distance.feet.Foot: piece {int(self.piece)}, t {float(self.t):.6g}, distance {float(self.distance):.6g}>"
+        return f"<mien.distance.feet.Foot of {' x '.join(map(str, shape))} places: piece, t, distance, normal, bend, point>"
 
 
 class Feet(NamedTuple):
@@ -55,7 +65,11 @@ class Feet(NamedTuple):
     nearest: Foot
     next: Foot
 
+    def __repr__(self) -> str:
+        return f"<mien.distance.feet.Feet: nearest={self.nearest!r}, next={self.next!r}>"
 
+
+@hinted
 def quad(points: ArrayLike, x: ArrayLike, y: ArrayLike) -> Feet:
     """On the quadratic Bézier curve of 3 points.
 
@@ -65,6 +79,7 @@ def quad(points: ArrayLike, x: ArrayLike, y: ArrayLike) -> Feet:
     return _feet("quads", [_distance._points(points, 3)], 6, x, y)
 
 
+@hinted
 def quads(curves: ArrayLike, x: ArrayLike, y: ArrayLike) -> Feet:
     """On n quadratic Bézier curves, an array (n, 3, 2).
 
@@ -75,16 +90,18 @@ def quads(curves: ArrayLike, x: ArrayLike, y: ArrayLike) -> Feet:
     return _feet("quads", [_listed(curves, "curves", (3, 2))], 6, x, y)
 
 
+@hinted
 def line(a: ArrayLike, b: ArrayLike, x: ArrayLike, y: ArrayLike, *, half_width: float = 0.0) -> Feet:
     """On the line from a to b; with a half-width it has round caps and the distance is signed.
 
     >>> float(line((0, 0), (2, 0), 1, 1, half_width=0.25).nearest.distance)
     0.75
     """
-    numbers = [_distance._numbers(a, "a", 2), _distance._numbers(b, "b", 2), _distance._numbers(half_width, "half_width", 1)]
+    numbers = [_distance._numbers(a, "a", 2), _distance._numbers(b, "b", 2), numpy.array([finite(half_width, "half_width")])]
     return _feet("lines", numbers, 5, x, y)
 
 
+@hinted
 def lines(segments: ArrayLike, x: ArrayLike, y: ArrayLike, *, half_width: float = 0.0) -> Feet:
     """On n lines, an array (n, 2, 2).
 
@@ -94,10 +111,11 @@ def lines(segments: ArrayLike, x: ArrayLike, y: ArrayLike, *, half_width: float 
     ([1.0, 0.0], [0.0, 1.0])
     """
     ends = _listed(segments, "segments", (2, 2)).reshape(-1, 4)
-    width = _distance._numbers(half_width, "half_width", 1)
+    width = finite(half_width, "half_width")
     return _feet("lines", [numpy.column_stack([ends, numpy.repeat(width, len(ends))]).ravel()], 5, x, y)
 
 
+@hinted
 def tapered(points: ArrayLike, half_widths: ArrayLike, x: ArrayLike, y: ArrayLike) -> Feet:
     """On a stroke along the quadratic Bézier curve of 3 points, whose half-width goes by 3 Bernstein coefficients; signed.
 
@@ -107,14 +125,16 @@ def tapered(points: ArrayLike, half_widths: ArrayLike, x: ArrayLike, y: ArrayLik
     return _feet("tapered", [_distance._points(points, 3), _distance._numbers(half_widths, "half_widths", 3)], 9, x, y)
 
 
+@hinted
 def tapereds(strokes: ArrayLike, half_widths: ArrayLike, x: ArrayLike, y: ArrayLike) -> Feet:
     """On n strokes, arrays (n, 3, 2) and (n, 3)."""
     points, widths = _listed(strokes, "strokes", (3, 2)).reshape(-1, 6), _listed(half_widths, "half_widths", (3,)).reshape(-1, 3)
     if len(points) != len(widths):
-        raise Error("half_widths", f"expected {len(points)} times 3 numbers, got {len(widths)} times")
+        raise Error("half_widths", f"expected {len(points)} times 3 numbers, as many as strokes, got {len(widths)} times")
     return _feet("tapered", [numpy.column_stack([points, widths]).ravel()], 9, x, y)
 
 
+@hinted
 def ellipse(center: ArrayLike, radii: ArrayLike, x: ArrayLike, y: ArrayLike, *, axis: ArrayLike = (1, 0)) -> Feet:
     """On an ellipse, negative inside. `axis` is the direction of the first radius.
 
@@ -146,11 +166,14 @@ def _feet(figures: str, numbers: list[Reals], each: Any, x: ArrayLike, y: ArrayL
     arrays = [_Arrays(ctypes.sizeof(_Arrays), 0, pieces[i].ctypes.data, *(row.ctypes.data for row in rows[i])) for i in (0, 1)]
     call(getattr(lib, f"mien_feet_{figures}_f64"), figure.ctypes.data, *([] if each is None else [figure.size // each]),
          ready[0].ctypes.data, ready[1].ctypes.data, count, *map(ctypes.byref, arrays))
-    return Feet(*(_foot(pieces[i], rows[i], shape) for i in (0, 1)))
+    places = numpy.stack(ready, -1).reshape(*shape, 2)
+    return Feet(*(_foot(pieces[i], rows[i], shape, places) for i in (0, 1)))
 
 
-def _foot(piece: Reals, rows: Reals, shape: tuple[int, ...]) -> Foot:
+def _foot(piece: Reals, rows: Reals, shape: tuple[int, ...], places: Reals) -> Foot:
     t, away, normal_x, normal_y, bend = rows
     normal = numpy.stack([normal_x, normal_y], -1).reshape(*shape, 2)
     plain = [one.reshape(shape)[()] for one in (piece, t, away, bend)]
-    return Foot(plain[0], plain[1], plain[2], normal, plain[3])
+    with numpy.errstate(invalid="ignore"):  # no foot: infinity times 0
+        point = places - rows[1].reshape(*shape, 1) * normal
+    return Foot(plain[0], plain[1], plain[2], normal, plain[3], point)

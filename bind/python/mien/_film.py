@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import base64
 import importlib
+import math
 import os
 import pathlib
 import shutil
@@ -15,14 +16,15 @@ import numpy.typing
 
 from . import _command
 from ._colors import hexadecimal
-from ._errors import Error, Path, writing
+from ._errors import Error, Path
 from ._face import Face
-from ._library import hinted_with, said
-from ._picture import Size, sides, whole
+from ._kinds import number, said, whole, word
+from ._library import hinted_with
+from ._picture import Size, sides
 from ._png import apng
-from ._pose import PoseLike, _clip_text, number, settings, strengths
+from ._pose import PoseLike, clip_texts, motion_layer, motions_of, pose_of, settings, strengths
 from ._posed import HOW
-from ._saved import File, save
+from ._saved import File, format_of, save, write_whole
 
 _MIME = {"png": "image/png", "apng": "image/png", "gif": "image/gif", "webp": "image/webp", "mp4": "video/mp4", "webm": "video/webm"}
 # What the command says of a pose and of a picture, too. The rest is drawn here.
@@ -36,6 +38,8 @@ class Film:
     """A film that was written. A notebook plays it."""
 
     def __init__(self, path: Optional[pathlib.Path], kind: str, raw: bytes) -> None:
+        if not isinstance(raw, bytes) or kind not in _MIME:
+            raise TypeError("a film is made by face.animate or mien.animate")
         self.path = path  # None of one that is in memory alone
         self.kind = kind  # "gif" …
         self._raw = raw
@@ -58,37 +62,58 @@ class Film:
 @hinted_with(HOW)
 def animate(face: Face, file: Optional[File] = None, *, seconds: Optional[float] = None, frames: Optional[int] = None, fps: float = 30,
             size: Size = 320, begin: float = 0, pose: PoseLike = None, sound: Optional[Path] = None, format: Optional[str] = None,
-            **how: Any) -> Film:
+            quality: Optional[int] = None, **how: Any) -> Film:
     """A film of a face: see `Face.animate`."""
     if not isinstance(face, Face):
         raise TypeError(f"face: expected a face, got {said(face)}")
-    if not number(fps, "fps") > 0:
-        raise Error("fps", f"expected more than 0, got {fps}")
-    if seconds is not None and not number(seconds, "seconds") > 0:
-        raise Error("seconds", f"expected more than 0, got {seconds}")
-    count = whole(frames, "frames") if frames is not None else max(1, round(number(2 if seconds is None else seconds, "seconds") * fps))
-    if count < 1 or frames is not None and seconds is not None:
-        raise Error("frames", "expected seconds or frames, one of them" if count >= 1 else f"expected 1 or more, got {count}")
-    work = _Work(face, count, fps, size, begin, pose, sound, how)
+    if quality is not None and (not 1 <= quality <= 100 or file is None or format_of(file, format) != "webp"):
+        raise Error("quality", f"is 1 to 100, of .webp alone, got {quality}" + (" without a .webp" if 1 <= quality <= 100 else ""))
+    work = _Work(face, _count(seconds, frames, fps, begin, pose_of(pose)), fps, size, begin, pose, sound, quality, how)
     if file is None:
         return Film(None, "apng", work.bytes_of("apng"))
     written: "list[tuple[str, bytes]]" = []
 
     def run(path: Path, kind: str) -> None:
         raw = work.bytes_of(kind)
-        pathlib.Path(path).write_bytes(raw)
+        write_whole(path, raw)
         written.append((kind, raw))
 
     save(file, format, run)
     return Film(None if hasattr(file, "write") else pathlib.Path(os.fspath(file)), *written[0])
 
 
+def _count(seconds: Optional[float], frames: Optional[int], fps: float, begin: float, pose: PoseLike) -> int:
+    """How many frames: those of `frames`, of `seconds`, or of the motions."""
+    if not (fps > 0 and math.isfinite(fps)):
+        raise Error("fps", f"expected more than 0, got {fps}")
+    if not math.isfinite(begin):
+        raise Error("begin", f"expected a finite number, got {begin}")
+    if frames is not None:
+        if seconds is not None:
+            raise Error("frames", "expected seconds or frames, one of them")
+        if frames < 1:
+            raise Error("frames", f"expected 1 or more, got {frames}")
+        return int(frames)
+    if seconds is not None and not (seconds > 0 and math.isfinite(seconds)):
+        raise Error("seconds", f"expected more than 0, got {seconds}")
+    return max(1, round(seconds * fps)) if seconds is not None else max(1, math.ceil(_length(pose, begin) * fps))
+
+
+def _length(pose: PoseLike, begin: float) -> float:
+    """[s] Until the last motion ends; 2 without motions."""
+    if not isinstance(pose, Mapping) or pose.get("motions") is None:
+        return 2.0
+    layers = [motion_layer(one) for one in motions_of(pose)]
+    return max((start + motion.length - begin for motion, _, start in layers), default=2.0)
+
+
 class _Work:
     """What a film is to show."""
 
     def __init__(self, face: Face, count: int, fps: float, size: Size, begin: float, pose: PoseLike, sound: Optional[Path],
-                 how: Mapping[str, Any]) -> None:
-        self.face, self.count, self.fps, self.size, self.begin, self.pose, self.sound, self.how = face, count, fps, size, begin, pose, sound, how
+                 quality: Optional[int], how: Mapping[str, Any]) -> None:
+        self.face, self.count, self.fps, self.size, self.begin, self.pose, self.how = face, count, fps, size, begin, pose, how
+        self.sound, self.quality = sound, quality
 
     def bytes_of(self, kind: str) -> bytes:
         """The film, by what can write it: the package APNG, the command, Pillow, ffmpeg."""
@@ -99,7 +124,7 @@ class _Work:
         if kind in ("apng", "png"):
             return apng(self.frames(), self.fps)
         words = self.words()
-        if words is not None and _command.found():
+        if words is not None and self.quality is None and _command.found():
             return self.by_command(kind, words)
         return self.by_ffmpeg(kind) if kind in _ENCODERS else self.by_pillow(kind)
 
@@ -108,17 +133,19 @@ class _Work:
 
     def words(self) -> "Optional[list[str]]":
         """The pose in the command's words; None where it has none, as for a pose by a function."""
-        pose = {} if self.pose is None else self.pose
+        if callable(self.pose):
+            return None
+        pose = {name: one for name, one in (self.pose or {}).items() if one is not None}
         whole_frames = abs(self.begin * self.fps - round(self.begin * self.fps)) < 1e-9
-        if callable(pose) or not _SAID_THERE.issuperset(pose) or not {"background"}.issuperset(self.how) or not whole_frames:
+        if not _SAID_THERE.issuperset(pose) or not {"background"}.issuperset(self.how) or not whole_frames:
             return None
         if not isinstance(self.how.get("background", ""), str) or self.face._source.morphs:
             return None
         words = [f"--{kind}={text}" for kind, text in strengths(pose)] + [f"--set={text}" for text in settings(pose)]
-        words += [f"--clip={_clip_text(clip)}" for clip in [*pose.get("clips", ()), *([pose["clip"]] if "clip" in pose else [])]]
+        words += [f"--clip={clip}" for clip in clip_texts(pose)]
         if "look_at" in pose:
             words.append("--look-at=" + ",".join(repr(float(one)) for one in pose["look_at"]))
-        words += [f"--{name}={pose[name]}" for name in ("seed", "liveliness") if name in pose] + ["--clamp"] * bool(pose.get("clamp"))
+        words += [f"--{name}={of(pose[name], name)}" for name, of in (("seed", word), ("liveliness", number)) if name in pose] + ["--clamp"] * bool(pose.get("clamp"))
         return words + [f"--background={hexadecimal(self.how[name])}" for name in self.how]
 
     def by_command(self, kind: str, words: "list[str]") -> bytes:
@@ -137,6 +164,8 @@ class _Work:
         try:
             image, features = importlib.import_module("PIL.Image"), importlib.import_module("PIL.features")
         except ImportError:
+            if self.quality is not None:
+                raise Error("quality", "of a .webp needs Pillow: pip install pillow") from None
             _command.needed(f".{kind}", ", or Pillow (pip install pillow); .apng needs neither")
             raise Error("pose", f"of a .{kind} by a function, or by what the command has no words for, needs Pillow: pip install pillow; "
                                 ".apng needs nothing") from None
@@ -149,7 +178,7 @@ class _Work:
         delays = [end - begin for begin, end in zip([0, *ends], ends)]
         with tempfile.TemporaryDirectory(prefix="mien-") as folder:
             made = pathlib.Path(folder, f"film.{kind}")
-            more: "dict[str, Any]" = {"lossless": True} if kind == "webp" else {"disposal": 1}
+            more: "dict[str, Any]" = {"disposal": 1} if kind == "gif" else {"lossless": True} if self.quality is None else {"quality": self.quality}
             first.save(made, save_all=True, append_images=rest, duration=delays, loop=0, **more)
             return made.read_bytes()
 
@@ -178,4 +207,4 @@ class _Work:
             return made.read_bytes()
 
 
-__all__ = ["Film", "animate", "writing"]
+__all__ = ["Film", "animate"]

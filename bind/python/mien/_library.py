@@ -6,11 +6,14 @@ import functools
 import inspect
 import os
 import pathlib
+import re
 import weakref
 from ctypes import POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
 from typing import Any, Callable, Mapping, Optional, Sequence, TypeVar
 
+from . import _kinds
 from ._errors import Cancelled, Error
+from ._kinds import said
 
 ABI = 0  # of the interface that these prototypes are
 NUL_ENDED = c_size_t(-1).value
@@ -283,21 +286,27 @@ class Handle:
         weakref.finalize(self, free, self.value)
 
 
+def made_by(handle: Any, what: str, makers: str) -> Handle:
+    """A handle that an object of the package is made of; users make none."""
+    if not isinstance(handle, Handle):
+        raise TypeError(f"{what} is made by {makers}")
+    return handle
+
+
 def texts(function: Callable[..., Any], *arguments: Any) -> list[str]:
     """The list of texts that a function gives."""
     made = Handle(lib.mien_texts_free, function, *arguments)
     return [text(lib.mien_texts_at(made.value, i)) for i in range(lib.mien_texts_count(made.value))]
 
 
-def utf8(words: str) -> tuple[bytes, int]:
-    """A text as two arguments."""
-    if not isinstance(words, str):
-        raise TypeError(f"expected a str, got {type(words).__name__}")
-    raw = words.encode("utf-8", "surrogateescape")
+def utf8(words: str, name: str = "text") -> tuple[bytes, int]:
+    """A text as two arguments; `name` stands in the error about what is none."""
+    raw = _kinds.encoded(_kinds.text(words, name), name)
     return raw, len(raw)
 
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
+Parameters = Mapping[str, inspect.Parameter]
 
 
 # What other programs, other doors or older versions call an argument, and what is said here instead.
@@ -306,28 +315,98 @@ _ELSEWHERE = {"width": "size=(width, height)", "height": "size=(width, height)",
 
 
 def hinted(function: _Function) -> _Function:
-    """The function, whose TypeError about an unknown argument tells what is said instead, or asks whether another was meant."""
-    return _hinted(function, ())
+    """The function, which looks at its arguments first: what is wrong with their names, number or kinds is a TypeError in a sentence.
+    Every public function has it."""
+    return _Asked(function, {}).wrapped(function)
 
 
-def hinted_with(more: Sequence[str]) -> Callable[[_Function], _Function]:
+def hinted_with(more: Parameters) -> Callable[[_Function], _Function]:
     """The same of functions that take `more` by their **how."""
-    return lambda function: _hinted(function, more)
+    return lambda function: _Asked(function, more).wrapped(function)
 
 
-def _hinted(function: _Function, more: Sequence[str]) -> _Function:
-    parameters = inspect.signature(function).parameters
-    known = [name for name, one in parameters.items() if name != "self" and one.kind is not one.VAR_KEYWORD]
-    takes_all = not more and any(one.kind is one.VAR_KEYWORD for one in parameters.values())
+def parameters_of(function: Callable[..., Any], *without: str) -> Parameters:
+    """What a function takes by name, for `hinted_with`."""
+    return {name: one for name, one in inspect.signature(function).parameters.items() if name not in ("self", *without)}
 
-    @functools.wraps(function)
-    def called(*given: Any, **named: Any) -> Any:
+
+class _Asked:
+    """What a function takes."""
+
+    def __init__(self, function: Callable[..., Any], more: Parameters) -> None:
+        signature = inspect.signature(function)
+        own = signature.parameters
+        kinds = {name: one.kind for name, one in own.items()}
+        is_made = function.__name__ == "__init__"
+        self.name = function.__qualname__.split(".")[-2] if is_made else function.__name__
+        self.first = [name for name, kind in kinds.items() if kind is inspect.Parameter.POSITIONAL_OR_KEYWORD]
+        self.rest = next((name for name, kind in kinds.items() if kind is inspect.Parameter.VAR_POSITIONAL), None)
+        self.takes_all = not more and inspect.Parameter.VAR_KEYWORD in kinds.values()
+        self.takes = {name: one for name, one in {**own, **more}.items()
+                      if name not in ("self", "cls") and one.kind not in (inspect.Parameter.VAR_KEYWORD, inspect.Parameter.VAR_POSITIONAL)}
+        self.signature = signature if self.takes_all else signature.replace(parameters=_in_order([*own.values()], more))
+        self.needed = [name for name in own if name in self.takes and own[name].default is inspect.Parameter.empty]
+        self.checks = {name: check for name, check in ((name, _kinds.check_of(one)) for name, one in self.takes.items()) if check}
+
+    def wrapped(self, function: _Function) -> _Function:
+        @functools.wraps(function)
+        def called(*given: Any, **named: Any) -> Any:
+            self.look(given, named)
+            return function(*given, **named)
+
+        called.__signature__ = self.signature  # type: ignore[attr-defined]
+        return called  # type: ignore[return-value]
+
+    def look(self, given: Sequence[Any], named: Mapping[str, Any]) -> None:
         for name in named:
-            if name not in known and name not in more and not takes_all:
-                raise TypeError(f"{function.__name__}: {_unknown_argument(name, [*known, *more])}")
-        return function(*given, **named)
+            if name not in self.takes and not self.takes_all:
+                raise TypeError(f"{self.name}: {_unknown_argument(name, list(self.takes))}")
+        if len(given) > len(self.first) and self.rest is None:
+            raise TypeError(f"{self.name}: {self.too_many(given)}")
+        asked = dict(zip(self.first, given))
+        for name, value in named.items():
+            if name in asked:
+                raise TypeError(f'{self.name}: the argument "{name}" is given twice')
+            asked[name] = value
+        for name in self.needed:
+            if name not in asked:
+                raise TypeError(f'{self.name}: the argument "{name}" is missing')
+        for name, value in asked.items():
+            if name in self.checks and value is not self.takes[name].default:
+                self.checks[name](value, name)
 
-    return called  # type: ignore[return-value]
+    def too_many(self, given: Sequence[Any]) -> str:
+        """Of arguments without names that have none here."""
+        first, value = [name for name in self.first if name in self.takes], given[len(self.first)]
+        named = [name for name in self.takes if name not in first]
+        if not named and not self.takes_all:
+            return f"expected {' and '.join(first) or 'no arguments'}, got {len(given) - len(self.first)} more"
+        fits = next((name for name in named if _could_be(value, self.takes[name], self.checks.get(name))), None)
+        words = f"{fits}={_quoted(value)}" if fits else f"{named[0]}=…" if named else "name=…"
+        return f"arguments{' after ' + first[-1] if first else ''} have names: {self.name}({', '.join([*(one + '=…' for one in first), words])})"
+
+
+def _in_order(own: "list[inspect.Parameter]", more: Parameters) -> "list[inspect.Parameter]":
+    """Those of the function, with `more` in the place of its **how."""
+    added = [one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for name, one in more.items() if name not in {each.name for each in own}]
+    return [one for one in own if one.kind is not inspect.Parameter.VAR_KEYWORD] + added
+
+
+def _could_be(value: Any, parameter: inspect.Parameter, check: Optional[_kinds.Check]) -> bool:
+    """Whether a value may be meant for a parameter."""
+    kinds = str(parameter.annotation)
+    if check is None:
+        return isinstance(value, str) and re.search(r"\b(One|Color|str)\b", kinds.partition("Mapping")[0]) is not None or (
+            isinstance(value, Mapping) and re.search(r"\b(Strengths|PoseLike)\b", kinds) is not None)
+    try:
+        check(value, "")
+    except (TypeError, ValueError):
+        return False
+    return value is not None
+
+
+def _quoted(value: Any) -> str:
+    return f'"{value}"' if isinstance(value, str) and len(value) < 60 and '"' not in value else said(value)
 
 
 def _unknown_argument(name: str, known: Sequence[str]) -> str:
@@ -343,25 +422,5 @@ def unknown_name(what: str, wanted: str, names: Sequence[str]) -> str:
 
 
 def path_bytes(path: "str | os.PathLike[str]") -> tuple[bytes, int]:
-    raw = os.fsencode(path)
+    raw = os.fsencode(_kinds.path(path, "path"))
     return raw, len(raw)
-
-
-def said(value: Any) -> str:
-    """A value in an error, cut short."""
-    text = repr(value)
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
-def table(value: Any, name: str, like: str) -> Mapping[Any, Any]:
-    """A mapping, or a sentence that tells what is one."""
-    if not isinstance(value, Mapping):
-        raise TypeError(f"{name}: expected {like}, got {said(value)}")
-    return value
-
-
-def listed(value: Any, name: str, like: str) -> Sequence[Any]:
-    """A list, or a sentence: a text is none, although Python takes its letters for one."""
-    if isinstance(value, (str, bytes, Mapping)) or not hasattr(value, "__iter__"):
-        raise TypeError(f"{name}: expected a list, such as {like}, got {said(value)}")
-    return list(value)

@@ -3,17 +3,19 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, Union
+from typing import Any
 
 from ._errors import Error, Path, Warned, reading
-from ._library import Handle, lib, text, texts, unknown_name, utf8
+from ._kinds import Text, finite, number
+from ._kinds import raw as raw_of
+from ._library import Handle, hinted, lib, made_by, text, texts, unknown_name, utf8
 
 
 class Motion:
     """What an actor's face did, or a track of speech as the shapes of a mouth: numbers by name over time."""
 
     def __init__(self, handle: Handle, raw: bytes, name: str) -> None:
-        self._handle = handle
+        self._handle = made_by(handle, "a motion", "mien.read_motion or mien.read_motion_text")
         self._made_of = raw, name
         count = lib.mien_motion_channel_count(handle.value)
         self._index = {text(lib.mien_motion_channel_name(handle.value, i)): i for i in range(count)}
@@ -33,11 +35,12 @@ class Motion:
         """What was odd in its file: values that were clamped, rows without a face, names that mean nothing."""
         return tuple(texts(lib.mien_motion_told, self._handle.value))
 
+    @hinted
     def value(self, channel: str, time: float) -> float:
         """The channel's value at a moment [s]."""
         if channel not in self._index:
-            raise Error("channel", unknown_name("channel", str(channel), self.channels))
-        return float(lib.mien_motion_value(self._handle.value, self._index[channel], float(time)))
+            raise Error("channel", unknown_name("channel", channel, self.channels))
+        return float(lib.mien_motion_value(self._handle.value, self._index[channel], finite(time, "time")))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Motion) and self._made_of == other._made_of
@@ -61,14 +64,16 @@ class Motion:
 class Steady:
     """Keeps a face quiet that follows frames as they come live: the 1€ filter of Casiez, Roussel and Vogel. One face each."""
 
+    @hinted
     def __init__(self, cutoff: float = 1, beta: float = 2) -> None:
         """`cutoff` [Hz] is above 0, lower is quieter; `beta` is 0 or above, higher is less late where much moves."""
-        self._handle = Handle(lib.mien_steadier_free, lib.mien_steadier_new, float(cutoff), float(beta))
+        self._handle = Handle(lib.mien_steadier_free, lib.mien_steadier_new, number(cutoff, "cutoff"), number(beta, "beta"))
 
     def __reduce__(self) -> tuple[Any, ...]:
         raise TypeError("a Steady remembers the frames that it saw, and cannot be copied or pickled; make another one")
 
 
+@hinted
 def read_motion(path: Path) -> Motion:
     """Reads a take or a track of speech, whatever program wrote it. What is wrong is an `Error` with file, line and column; what is
     odd, such as a sound of no known name, is warned of (`Warned`), and stays in `told`."""
@@ -76,10 +81,10 @@ def read_motion(path: Path) -> Motion:
         return _told_of(_made_again(file.read(), os.fspath(path)))
 
 
-def read_motion_text(words: Union[str, bytes], name: str = "motion") -> Motion:
+@hinted
+def read_motion_text(words: Text, name: str = "motion") -> Motion:
     """The same from memory; `name` stands for the file's name in errors."""
-    raw = words if isinstance(words, bytes) else utf8(words)[0]
-    return _told_of(_made_again(raw, name))
+    return _told_of(_made_again(raw_of(words, "words"), name))
 
 
 def _made_again(raw: bytes, name: str) -> Motion:
@@ -88,5 +93,5 @@ def _made_again(raw: bytes, name: str) -> Motion:
 
 def _told_of(motion: Motion) -> Motion:
     for odd in motion.told:
-        warnings.warn(odd, Warned, stacklevel=3)  # who called mien.read_motion or mien.read_motion_text
+        warnings.warn(odd, Warned, stacklevel=4)  # who called mien.read_motion or mien.read_motion_text
     return motion

@@ -10,7 +10,8 @@ import numpy.typing
 
 from ._colors import NAMES, hexadecimal
 from ._errors import Error
-from ._library import DevicePixels, Handle, Pixels, Progress, RenderOptions, RenderStats, View, call, lib, listed, said, unknown_name, utf8
+from ._kinds import listed, number, real, said, text, truth, whole
+from ._library import DevicePixels, Handle, Pixels, Progress, RenderOptions, RenderStats, View, call, lib, unknown_name, utf8
 
 Size = Union[int, "tuple[int, int]"]
 Color = Union[str, Sequence[float]]
@@ -26,65 +27,42 @@ def choice(value: str, of: Sequence[str], name: str) -> int:
     return list(of).index(value)
 
 
-def whole(number: Any, name: str) -> int:
-    try:
-        value = number.__index__()
-    except AttributeError:
-        raise TypeError(f"{name}: expected a whole number, got {number!r}") from None
-    if not -2**31 <= value < 2**31:
-        raise Error(name, f"is out of range: {value}")
-    return int(value)
-
-
-def real(of: Any, name: str) -> numpy.typing.NDArray[Any]:
-    """An array of real numbers, or a sentence: no texts, no complex numbers, no rows of several lengths."""
-    try:
-        array = numpy.asarray(of)
-    except (ValueError, TypeError) as failure:
-        raise TypeError(f"{name}: expected numbers, got {said(of)}: {failure}") from None
-    if isinstance(of, numpy.ma.MaskedArray) and bool(numpy.any(of.mask)):
-        raise TypeError(f"{name}: expected numbers, got a masked array in which some are missing")
-    if array.dtype.kind not in "fiub":
-        raise TypeError(f"{name}: expected real numbers, got {array.dtype if array.dtype.kind != 'O' else said(of)}")
-    return array
-
-
-def sides(size: Size, aspect: float) -> tuple[int, int]:
+def sides(size: Size, aspect: float, name: str = "size") -> tuple[int, int]:
     """Width and height; of one number the longer side, the other as the canvas is."""
     if isinstance(size, (tuple, list)):
         if len(size) != 2:
-            raise Error("size", f"expected width and height, got {len(size)} numbers")
-        return whole(size[0], "size"), whole(size[1], "size")
-    longer = whole(size, "size")
+            raise Error(name, f"expected width and height, got {len(size)} numbers")
+        return whole(size[0], name), whole(size[1], name)
+    longer = whole(size, name)
     if longer < 1:
-        raise Error("size", f"expected 1 pixel or more, got {longer}")
+        raise Error(name, f"expected 1 pixel or more, got {longer}")
     beside = max(1, int(longer * min(aspect, 1 / aspect) + 0.5))
     return (longer, beside) if aspect >= 1 else (beside, longer)
 
 
-def color(of: Color) -> list[float]:
+def color(of: Color, name: str = "background") -> list[float]:
     """A colour in linear light: of "transparent", a name of CSS, "#rgb", "#rrggbb", "#rrggbbaa", or 3 or 4 numbers."""
     if isinstance(of, str):
-        return _color_of_text(of)
-    numbers = real(of, "background").ravel()
+        return _color_of_text(text(of, name), name)
+    numbers = real(of, name).ravel()
     if numbers.size not in (3, 4):
-        raise Error("background", f"expected 3 or 4 numbers, got {numbers.size}")
+        raise Error(name, f"expected 3 or 4 numbers, got {numbers.size}")
     if numbers.dtype.kind in "iu" and numbers.max() > 1:
-        raise Error("background", f"numbers are linear light, 0 to 1; of bytes say '#{bytes(numbers.clip(0, 255).astype(numpy.uint8)).hex()}'")
+        raise Error(name, f"numbers are linear light, 0 to 1; of bytes say '#{bytes(numbers.clip(0, 255).astype(numpy.uint8)).hex()}'")
     return [*map(float, numbers), 1.0][:4]
 
 
-def _color_of_text(text: str) -> list[float]:
+def _color_of_text(words: str, name: str) -> list[float]:
     found = (ctypes.c_double * 4)()
-    if text == "transparent":
+    if words == "transparent":
         return list(found)
     try:
-        call(lib.mien_color_from_text, *utf8(hexadecimal(text)), found)
+        call(lib.mien_color_from_text, *utf8(hexadecimal(words), name), found)
     except Error as error:
-        if text.startswith("#"):
-            raise
-        meant = unknown_name("colour", text, ["transparent", *NAMES])
-        raise Error(error.where, f"{meant}; colours are names, #rrggbb or #rrggbbaa") from None
+        if words.startswith("#"):
+            raise Error(name, f"{error.what}, got {said(words)}") from None
+        meant = unknown_name("colour", words, ["transparent", *NAMES])
+        raise Error(name, f"{meant}; colours are names, #rrggbb or #rrggbbaa") from None
     return list(found)
 
 
@@ -95,7 +73,7 @@ def view(aspect: float, size: Size, fit: str = "meet", blend: str = "linear", ba
     lib.mien_view_init(made, ctypes.sizeof(View))
     made.width, made.height = sides(size, aspect)
     made.fit, made.blend = choice(fit, ("meet", "slice"), "fit"), choice(blend, ("linear", "srgb"), "blend")
-    made.dither, made.legible = dither, legible
+    made.dither, made.legible = truth(dither, "dither"), number(legible, "legible")
     if background is not None:
         made.has_background, made.background = 1, (ctypes.c_double * 4)(*color(background))
     if region is not None:
@@ -157,7 +135,7 @@ def dtype_of(given: Any) -> numpy.dtype[Any]:
     """The type of a picture's numbers: numpy.uint8, numpy.uint16, numpy.float32, or their names."""
     try:
         found = numpy.dtype(given)
-    except TypeError:
+    except (TypeError, ValueError):
         found = None
     if given is None or found not in DTYPES:
         raise Error("dtype", f"expected uint8, uint16 or float32, got {said(given)}")
@@ -251,7 +229,7 @@ def effects_of(texts: Sequence[str]) -> Handle:
     """Effects by their texts, in order."""
     made = Handle(lib.mien_effects_free, lib.mien_effects_new)
     for one in listed(texts, "effects", '["mosaic:24,0.3"]'):
-        call(lib.mien_effects_add, made.value, *utf8(one))
+        call(lib.mien_effects_add, made.value, *utf8(one, "effects"))
     return made
 
 

@@ -10,9 +10,10 @@ import numpy.typing
 from ._basis import Basis
 from ._colors import hexadecimal
 from ._errors import Error
-from ._library import Handle, call, lib, listed, said, table, utf8
+from ._kinds import Word, finite, listed, number, real, said, table, text, truth, word
+from ._library import Handle, call, lib, utf8
 from ._motion import Motion, Steady
-from ._picture import choice, real
+from ._picture import choice
 
 Value = Union[str, float, Sequence[float], numpy.typing.NDArray[Any]]
 Strengths = Mapping[str, float]
@@ -31,17 +32,16 @@ _LIKE = {"emotions": '{"joy": 0.8}', "muscles": '{"zygomaticus": 0.5}', "arkit":
 def posed(face: Any, asked: Mapping[str, Any]) -> Handle:
     """A pose of a face of the library's with the arguments of `Face.pose` that were given."""
     made = Handle(lib.mien_pose_free, lib.mien_pose_new, face)
-    pose, clamp = made.value, bool(asked.get("clamp", False))
+    pose, clamp = made.value, truth(asked.get("clamp", False), "clamp")
     if "time" in asked:
-        call(lib.mien_pose_time, pose, number(asked["time"], "time"))
-    clips = [*listed(asked.get("clips", ()), "clips", '["idle"]'), *([asked["clip"]] if "clip" in asked else [])]
-    for clip in clips:
-        call(lib.mien_pose_clip, pose, *utf8(_clip_text(clip)))
+        call(lib.mien_pose_time, pose, finite(asked["time"], "time"))
+    for clip in clip_texts(asked):
+        call(lib.mien_pose_clip, pose, *utf8(clip))
     _play(pose, asked)
     for name, function in (("seed", lib.mien_pose_seed), ("liveliness", lib.mien_pose_liveliness),
                            ("gestures", lib.mien_pose_gestures)):
         if name in asked:
-            call(function, pose, *(utf8(str(asked[name])) if name == "seed" else [number(asked[name], name)]))
+            call(function, pose, *(utf8(word(asked[name], name)) if name == "seed" else [number(asked[name], name)]))
     if "look_at" in asked:
         point = real(listed(asked["look_at"], "look_at", "(0.5, 0.3, 9)"), "look_at").ravel()
         if point.size != 3:
@@ -49,29 +49,32 @@ def posed(face: Any, asked: Mapping[str, Any]) -> Handle:
         call(lib.mien_pose_look_at, pose, *map(float, point))
     if "unwrap" in asked or "unwrap_mode" in asked:
         mode = choice(asked.get("unwrap_mode", "linear"), UNWRAP_MODES, "unwrap_mode")
-        call(lib.mien_pose_unwrap, pose, number(asked.get("unwrap", 0), "unwrap"), mode)
-    for kind, text in strengths(asked):
-        call(lib.mien_pose_express, pose, *utf8(kind), *utf8(text), clamp)
-    for text in settings(asked):
-        call(lib.mien_pose_set, pose, *utf8(text))
+        share = number(asked.get("unwrap", 0), "unwrap")
+        if not 0 <= share <= 1:
+            raise Error("unwrap", f"goes from 0 to 1, got {share}")
+        call(lib.mien_pose_unwrap, pose, share, mode)
+    for kind, words in strengths(asked):
+        call(lib.mien_pose_express, pose, *utf8(kind), *utf8(words), clamp)
+    for words in settings(asked):
+        call(lib.mien_pose_set, pose, *utf8(words))
     _lay_basis(pose, asked.get("basis"), asked.get("weights"))
     return made
 
 
 def _play(pose: Any, asked: Mapping[str, Any]) -> None:
-    motions = asked.get("motions", ())
-    for motion in [motions] if isinstance(motions, Motion) else listed(motions, "motions", "[track]"):
+    for motion in motions_of(asked):
         of, weight, begin = motion_layer(motion)
         call(lib.mien_pose_motion, pose, of._handle.value, weight, begin)
+    steady = asked.get("steady")
+    if steady is not None and not (isinstance(steady, tuple) and len(steady) == 2 and isinstance(steady[0], Steady)):
+        raise TypeError(f"steady: expected (Steady(), the frame's moment in seconds), got {said(steady)}")
     if "frame" not in asked:
         return
-    frame, steady = asked["frame"], asked.get("steady")
-    seen = utf8(frame if isinstance(frame, str) else _json(frame))
+    frame = asked["frame"]
+    seen = utf8(frame if isinstance(frame, str) else _json(frame), "frame")
     if steady is None:
         call(lib.mien_pose_follow, pose, *seen)
     else:
-        if not (isinstance(steady, tuple) and len(steady) == 2 and isinstance(steady[0], Steady)):
-            raise TypeError(f"steady: expected (Steady(), the frame's moment in seconds), got {said(steady)}")
         call(lib.mien_pose_follow_steadily, pose, steady[0]._handle.value, number(steady[1], "steady"), *seen)
 
 
@@ -81,7 +84,7 @@ def _json(frame: Any) -> str:
             return one.tolist()
         raise TypeError(f"frame: expected shapes by name, such as {{\"jawOpen\": 0.4}}, a result of MediaPipe or its JSON, got {said(one)}")
 
-    return json.dumps(frame, default=plain)
+    return json.dumps(frame if isinstance(frame, (Mapping, list, tuple)) else plain(frame), default=plain)
 
 
 def strengths(asked: Mapping[str, Any]) -> "list[tuple[str, str]]":
@@ -99,7 +102,7 @@ def strengths(asked: Mapping[str, Any]) -> "list[tuple[str, str]]":
     for kind in SINGULAR:
         given = asked.get(kind, {})
         if isinstance(given, str):
-            found.append((kind, given if "=" in given else f"{given}=1"))
+            found.append((kind, text(given, kind) if "=" in given else f"{text(given, kind)}=1"))
             continue
         for name, strength in table(given, kind, f'"NAME", "NAME=STRENGTH" or {_LIKE[kind + "s"]}').items():
             found.append((kind, f"{name}={number(strength, f'{kind}[{name!r}]')!r}"))
@@ -113,16 +116,6 @@ def settings(asked: Mapping[str, Any]) -> "list[str]":
     return named + [f"{name}={value_text(value, str(name))}" for name, value in values.items()]
 
 
-def number(value: Any, name: str) -> float:
-    """A number; texts are none, although float() reads them."""
-    if not isinstance(value, (str, bytes)):
-        try:
-            return float(value)
-        except (TypeError, ValueError):
-            pass
-    raise TypeError(f"{name}: expected a number, got {said(value)}")
-
-
 def value_text(value: Any, name: str) -> str:
     """A value as `--set` of the command has it."""
     if isinstance(value, str):
@@ -130,6 +123,12 @@ def value_text(value: Any, name: str) -> str:
     if value is None:
         raise TypeError(f"{name}: expected a number, numbers or a colour, got None")
     return ",".join(repr(float(one)) for one in real(value, name).ravel())
+
+
+def motions_of(asked: Mapping[str, Any]) -> Sequence[Any]:
+    """The motions of a pose, as they were given."""
+    motions = asked.get("motions", ())
+    return [motions] if isinstance(motions, Motion) else listed(motions, "motions", "[track]")
 
 
 def motion_layer(layer: Any) -> "tuple[Motion, float, float]":
@@ -142,14 +141,20 @@ def motion_layer(layer: Any) -> "tuple[Motion, float, float]":
     return parts[0], number(parts[1], "motions"), number(parts[2], "motions") if len(parts) == 3 else 0.0
 
 
-def _clip_text(clip: Any) -> str:
+def clip_texts(asked: Mapping[str, Any]) -> "list[str]":
+    """The clips of a pose as the command has them, in order."""
+    return ([_clip_text(one, "clips") for one in listed(asked.get("clips", ()), "clips", '["idle"]')]
+            + ([_clip_text(asked["clip"], "clip")] if "clip" in asked else []))
+
+
+def _clip_text(clip: Any, where: str) -> str:
     if isinstance(clip, str):
-        return clip
+        return text(clip, where)
     parts = tuple(clip) if isinstance(clip, (tuple, list)) else ()
     if not 2 <= len(parts) <= 3 or not isinstance(parts[0], str):
-        raise Error("clips", f"expected (name, weight) or (name, weight, begin), got {said(clip)}")
+        raise Error(where, f"expected a name, (name, weight) or (name, weight, begin), got {said(clip)}")
     name, weight, begin = (*parts, 0.0)[:3]
-    return f"{name}={number(weight, 'clips')!r}@{number(begin, 'clips')!r}"
+    return f"{name}={number(weight, where)!r}@{number(begin, where)!r}"
 
 
 def _lay_basis(pose: Any, basis: Optional[Basis], weights: Any) -> None:
@@ -161,6 +166,11 @@ def _lay_basis(pose: Any, basis: Optional[Basis], weights: Any) -> None:
         raise TypeError(f"basis: expected a mien.Basis, as fit_basis and read_basis give it, got {said(basis)}")
     held = numpy.ascontiguousarray(real(() if weights is None else weights, "weights"), numpy.float64).ravel()
     call(lib.mien_pose_basis, pose, basis._handle.value, held.ctypes.data, held.size)
+
+
+def pose_of(given: Any) -> Any:
+    """What poses a film's frames: nothing, arguments of `Face.pose`, or a function that gives them."""
+    return given if given is None or callable(given) else table(given, "pose", 'arguments of face.pose, such as {"yaw": 20}, or a function of the time')
 
 
 PoseLike = Union[Mapping[str, Any], Callable[[float], Mapping[str, Any]], None]

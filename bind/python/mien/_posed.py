@@ -2,10 +2,6 @@
 from __future__ import annotations
 
 import ctypes
-import inspect
-import os
-import pathlib
-import tempfile
 import threading
 from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional, Sequence, Union
 
@@ -13,11 +9,12 @@ import numpy
 import numpy.typing
 
 from . import _library
-from ._errors import Error, Path, writing
-from ._library import Handle, call, hinted, lib, path_bytes, said, text, texts, utf8
-from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, device_picture, effects_of, view, whole
+from ._errors import Error, Path
+from ._kinds import number, said, whole
+from ._library import Handle, call, hinted, hinted_with, lib, made_by, parameters_of, path_bytes, text, texts, utf8
+from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, device_picture, effects_of, view
 from ._png import png
-from ._saved import File, save, to_pil, write_options
+from ._saved import File, save, to_pil, write_options, write_whole
 
 if TYPE_CHECKING:
     from ._face import Face
@@ -42,7 +39,7 @@ class Posed:
 
     def __init__(self, face: Face, pose: Handle, asked: Mapping[str, Any]) -> None:
         self.face = face
-        self._pose = pose
+        self._pose = made_by(pose, "a posed face", "face.pose")
         self._asked = dict(asked)  # what Face.pose was given
         self._scene: Optional[Handle] = None
         self._lock = threading.Lock()  # a pose is used by one thread at a time
@@ -85,8 +82,11 @@ class Posed:
         effects     on the finished picture, in order: ["mosaic:24,0.3", "grid:12"]; True: those of the face's file
         """
         seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither, legible)
+        if renderer is not None and not isinstance(renderer, Renderer):
+            raise TypeError(f"renderer: expected a mien.Renderer, got {said(renderer)}")
         return (renderer or Renderer())._render(self._drawn, seen, dtype, threads, out, progress, self._effects(effects))
 
+    @hinted
     def for_device(self, format: str, size: Size = 240, *, fit: str = "meet", blend: str = "linear",
                    background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
                    light: Optional[Sequence[float]] = None, dither: bool = True, legible: float = 0, threads: int = 0,
@@ -102,6 +102,7 @@ class Posed:
         seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither, legible)
         return device_picture(self._drawn, seen, format, threads, progress)
 
+    @hinted
     def debug(self, which: str, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None,
               region: Optional[Sequence[int]] = None, threads: int = 0,
               progress: Optional[Watch] = None) -> numpy.typing.NDArray[Any]:
@@ -115,6 +116,7 @@ class Posed:
             scene = Handle(lib.mien_scene_free, lib.mien_scene_debug, self._pose.value, kind - len(DRAWN))
         return Renderer()._render(scene.value, seen, "uint8", threads, None, progress)
 
+    @hinted
     def svg(self, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None, tolerance: float = 0.006,
             legible: float = 0, id_prefix: Optional[str] = None, progress: Optional[Watch] = None) -> Svg:
         """The face as an SVG file: paths that leave the outlines by `tolerance` [px] at most, 1e-4 to 1.
@@ -126,7 +128,7 @@ class Posed:
         seen = view(self.face.canvas.aspect, size, fit, background=background, legible=legible)
         if not tolerance > 0:
             raise Error("tolerance", f"expected a number from 1e-4 to 1, got {tolerance!r}")
-        prefix = (None, 0) if id_prefix is None else utf8(id_prefix)
+        prefix = (None, 0) if id_prefix is None else utf8(id_prefix, "id_prefix")
         watched = Watched(progress)
         file, *simplified = watched.run(texts, lib.mien_svg, self._drawn, seen, float(tolerance), *prefix, watched.options())
         return Svg(file, tuple(simplified))
@@ -134,7 +136,7 @@ class Posed:
     def _effects(self, asked: Union[Sequence[str], bool]) -> Optional[Handle]:
         if asked is True:
             return Handle(lib.mien_effects_free, lib.mien_effects_of_face, self.face._handle.value)
-        return effects_of(asked) if asked else None
+        return None if asked is False or asked == () else effects_of(asked)
 
     @hinted
     def save(self, file: File, size: Size = 1024, *, format: Optional[str] = None, fit: str = "meet", blend: str = "linear",
@@ -152,8 +154,8 @@ class Posed:
         """
         def run(path: Path, kind: str) -> None:
             if kind == "svg":
-                _write_text(path, self.svg(size, fit=fit, background=background, legible=legible,
-                                           progress=progress).text)
+                write_whole(path, self.svg(size, fit=fit, background=background, legible=legible,
+                                           progress=progress).text.encode())
                 return
             seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither, legible)
             watched = Watched(progress)
@@ -162,6 +164,7 @@ class Posed:
 
         save(file, format, run)
 
+    @hinted_with(parameters_of(render))
     def to_pil(self, size: Size = 1024, **how: Any) -> Any:
         """The picture as a PIL.Image, of mode RGBA; `how` is as for `render`."""
         return to_pil(self.render(size, **how))
@@ -177,34 +180,39 @@ class Posed:
         scene = self._drawn
         return tuple(text(lib.mien_scene_layer_name(scene, i)) for i in range(lib.mien_scene_layer_count(scene)))
 
+    @hinted
     def layer_at(self, x: float, y: float) -> Optional[str]:
         """The topmost layer at a point [face units]."""
         found, scene = ctypes.c_int32(), self._drawn
         call(lib.mien_scene_layer_at, scene, float(x), float(y), ctypes.byref(found))
         return text(lib.mien_scene_layer_name(scene, found.value)) if found.value >= 0 else None
 
+    @hinted
     def feature_at(self, x: float, y: float) -> Optional[str]:
         """The feature that is seen at a point [face units]: not its shadow or outline, and nothing transparent."""
         found = texts(lib.mien_scene_feature_at, self._drawn, float(x), float(y))
         return found[0] if found else None
 
+    @hinted
     def distance(self, layer: Union[str, int], x: float, y: float) -> float:
         """The signed distance to a layer's outline, negative inside [face units]."""
         index = layer
         if isinstance(index, str):
             if index not in self.layers:
-                raise Error("layer", f"there is no layer {index!r}")
+                raise Error("layer", f"there is no layer {said(index)}")
             index = self.layers.index(index)
         found = ctypes.c_double()
         call(lib.mien_scene_distance, self._drawn, whole(index, "layer"), float(x), float(y), ctypes.byref(found))
         return found.value
 
+    @hinted
     def face_from_pixel(self, x: float, y: float, size: Size = 1024, fit: str = "meet") -> tuple[float, float]:
         """Where a point of the picture [px] is in the face [face units]."""
         found = (ctypes.c_double * 2)()
         call(lib.mien_face_from_pixel, self._drawn, view(self.face.canvas.aspect, size, fit), float(x), float(y), found)
         return found[0], found[1]
 
+    @hinted
     def pixel_from_face(self, x: float, y: float, size: Size = 1024, fit: str = "meet") -> tuple[float, float]:
         """Where a point of the face [face units] is in the picture [px]."""
         found = (ctypes.c_double * 2)()
@@ -249,26 +257,5 @@ def _posed_again(face: Face, asked: Mapping[str, Any]) -> Posed:
     return face.pose(**asked)
 
 
-def _write_text(path: Path, words: str) -> None:
-    """A text that appears whole or not at all, as pictures do."""
-    place = pathlib.Path(path)
-    with writing(place), tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=place.parent, prefix=".mien-", suffix=".part", delete=False) as file:
-        try:
-            file.write(words)
-            file.flush()
-            os.chmod(file.name, 0o666 & ~_umask())
-            os.replace(file.name, place)
-        except OSError:
-            os.unlink(file.name)
-            raise
-
-
-def _umask() -> int:
-    """What new files may not have. Python tells it only by setting it."""
-    now = os.umask(0o022)
-    os.umask(now)
-    return now
-
-
 # What `how` of a sheet, of frames and of a film takes.
-HOW = tuple(name for name in inspect.signature(Posed.render).parameters if name not in ("self", "size", "out", "progress", "renderer"))
+HOW = parameters_of(Posed.render, "size", "dtype", "out", "progress", "renderer")

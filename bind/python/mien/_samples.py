@@ -5,7 +5,7 @@ import pathlib
 
 from ._errors import Error
 from ._face import Face, read_face
-from ._library import unknown_name
+from ._library import hinted, unknown_name
 
 _ENDING = ".face.json"
 
@@ -20,13 +20,15 @@ def _folder() -> pathlib.Path:
     raise Error("samples", "are not installed: Debian has them in the package mien, a wheel inside")
 
 
+@hinted
 def samples() -> "tuple[str, ...]":
     """The names of the faces that come with mien."""
     return tuple(sorted(file.name[:-len(_ENDING)] for file in _folder().glob("*" + _ENDING)))
 
 
+@hinted
 def sample(name: str) -> Face:
     """One of them: `mien.sample("toon")` is what the command calls toon."""
     if name not in samples():
-        raise Error("sample", unknown_name("sample face", str(name), samples()))
+        raise Error("name", unknown_name("sample face", name, samples()))
     return read_face(_folder() / (name + _ENDING))

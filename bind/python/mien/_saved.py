@@ -14,8 +14,10 @@ import numpy.typing
 
 from . import _library
 from ._errors import Error, Path, writing
-from ._library import WriteOptions, call, path_bytes, said, unknown_name, utf8
-from ._picture import Watched, pixels_of, whole
+from ._kinds import index, number, said, whole
+from ._kinds import path as path_of
+from ._library import WriteOptions, call, hinted, path_bytes, unknown_name, utf8
+from ._picture import Watched, pixels_of
 from ._png import png
 
 File = Union[Path, IO[bytes]]
@@ -28,10 +30,8 @@ DEPTHS = {None: (-1, 1), 8: (0, 1), 16: (1, 1), "half": (2, 1), "float": (2, 0)}
 def format_of(file: File, format: Optional[str]) -> str:
     """A file's format, without the dot: as it is said, or else by the file's name; of a file object without one PNG."""
     if format is not None:
-        if not isinstance(format, str):
-            raise TypeError(f"format: expected a text such as 'png', got {said(format)}")
         return format.lstrip(".").lower()
-    name = getattr(file, "name", "a.png") if hasattr(file, "write") else os.fspath(file)
+    name = getattr(file, "name", "a.png") if hasattr(file, "write") else path_of(file, "file")
     return pathlib.PurePath(name).suffix[1:].lower() if isinstance(name, str) else "png"
 
 
@@ -52,6 +52,31 @@ def save(file: File, format: Optional[str], run: Callable[[Path, str], Any]) -> 
                 raise TypeError(f"file: expected one that takes bytes, opened with 'wb', got {said(file)}") from None
 
 
+def write_whole(path: Path, raw: bytes) -> None:
+    """A file that appears whole or not at all, as pictures do."""
+    place = pathlib.Path(path)
+    if place.exists() and not place.is_file():  # a pipe; a folder is refused
+        with writing(place):
+            place.write_bytes(raw)
+        return
+    with writing(place), tempfile.NamedTemporaryFile("wb", dir=place.parent, prefix=".mien-", suffix=".part", delete=False) as file:
+        try:
+            file.write(raw)
+            file.flush()
+            os.chmod(file.name, 0o666 & ~_umask())
+            os.replace(file.name, place)
+        except OSError:
+            os.unlink(file.name)
+            raise
+
+
+def _umask() -> int:
+    """What new files may not have. Python tells it only by setting it."""
+    now = os.umask(0o022)
+    os.umask(now)
+    return now
+
+
 def write_options(path: Path, kind: str, depth: Any, threads: int, memory: int, recipe: str, dpi: float, watched: Watched) -> WriteOptions:
     """How a picture is written; refuses formats that hold no picture."""
     if kind in FILMS:
@@ -65,10 +90,15 @@ def write_options(path: Path, kind: str, depth: Any, threads: int, memory: int, 
     _library.image().mien_write_options_init(options, ctypes.sizeof(WriteOptions))
     options.type = TYPES[kind]
     options.depth, options.half = DEPTHS[depth]
-    options.threads, options.memory = whole(threads, "threads"), min(max(memory, 0), 2**64 - 1)
-    options.recipe, options.recipe_length = utf8(recipe)
-    options.progress, options.dpi = watched.function, float(dpi)
+    options.threads, options.memory = whole(threads, "threads"), _bytes(memory)
+    options.recipe, options.recipe_length = utf8(recipe, "recipe")
+    options.progress, options.dpi = watched.function, number(dpi, "dpi")
     return options
+
+
+def _bytes(memory: Any) -> int:
+    """So many bytes; there may be more than an int32 counts."""
+    return min(max(index(memory, "memory", "a whole number of bytes"), 0), 2**64 - 1)
 
 
 def to_pil(pixels: numpy.typing.NDArray[Any]) -> Any:
@@ -84,8 +114,11 @@ class Picture:
     """A picture that shows itself in a notebook: sheets, and tables as faces."""
 
     def __init__(self, pixels: numpy.typing.NDArray[numpy.uint8]) -> None:
-        self.pixels = pixels  # (height, width, 4)
+        if not isinstance(pixels, numpy.ndarray) or pixels.ndim != 3 or pixels.shape[2] != 4 or pixels.dtype != numpy.uint8:
+            raise TypeError(f"pixels: expected an array (height, width, 4) of uint8, got {said(pixels)}")
+        self.pixels = pixels
 
+    @hinted
     def save(self, file: File, *, format: Optional[str] = None, recipe: str = "", dpi: float = 0) -> None:
         """Writes .png, .tif, .exr or .jpg, by the name or by `format`; into a path or a file object. It appears whole or not at all."""
         def run(path: Path, kind: str) -> None:
@@ -110,4 +143,4 @@ class Picture:
         return f"<mien.{type(self).__name__}: {self.pixels.shape[1]} x {self.pixels.shape[0]}>"
 
 
-__all__ = ["File", "Picture", "save", "to_pil", "write_options"]
+__all__ = ["File", "Picture", "save", "to_pil", "write_options", "write_whole"]

@@ -8,8 +8,9 @@ import numpy.typing
 
 from ._errors import Error
 from ._face import Face, from_code
-from ._library import hinted_with, said
-from ._picture import Color, Renderer, Size, color, whole
+from ._kinds import said, whole
+from ._library import hinted_with
+from ._picture import Color, Renderer, Size, color, sides
 from ._posed import HOW, Posed
 from ._saved import Picture
 
@@ -26,8 +27,9 @@ def sheet(faces: Iterable[Shown], *, columns: Optional[int] = None, cell: Size =
     gap      pixels between faces, of `gap_color`
     how      as for `Posed.render`: background, fit, light, effects …
     """
-    if isinstance(faces, (str, bytes, Face, Posed)):
+    if isinstance(faces, (str, bytes, Face, Posed)) or not hasattr(faces, "__iter__"):
         raise TypeError(f"faces: expected a list of faces, got {said(faces)}")
+    sides(cell, 1, "cell")
     renderer = Renderer()
     cells = [_drawn(one, cell, renderer, how) for one in faces]
     if not cells:
@@ -60,6 +62,6 @@ def _drawn(one: Shown, cell: Size, renderer: Renderer, how: "dict[str, Any]") ->
 
 def _encoded(of: Color) -> "list[int]":
     """A colour as bytes of sRGB."""
-    linear = numpy.clip(color(of), 0, 1)
+    linear = numpy.clip(color(of, "gap_color"), 0, 1)
     srgb = numpy.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
     return [*(int(255 * one + 0.5) for one in srgb[:3]), int(255 * linear[3] + 0.5)]

@@ -11,7 +11,8 @@ import tempfile
 from typing import Any, Iterator, Mapping, Optional, Union
 
 from ._errors import Error, reading
-from ._library import Handle, lib, path_bytes, said, texts, unknown_name, utf8
+from ._kinds import said
+from ._library import Handle, lib, path_bytes, texts, unknown_name, utf8
 
 PICKLED_AS = 1  # the kind of a face's pickle; others are refused
 

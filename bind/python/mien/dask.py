@@ -14,6 +14,8 @@ from typing import Any, Optional
 
 from . import _command
 from ._errors import Error, Path
+from ._kinds import said
+from ._library import hinted
 
 __all__ = ["join", "submit"]
 
@@ -23,9 +25,12 @@ def _draw(plan: str, folder: str, part: int, of: int) -> str:
     return _command.run("mien.dask", "batch", plan, "-o", folder, "--part", f"{part}/{of}").strip()
 
 
+@hinted
 def submit(plan: Path, client: Any, folder: Path, parts: Optional[int] = None, retries: int = 3) -> "list[Any]":
     """A future for each part of a plan, which `mien batch` draws into the folder; its result is the sentence that the command prints.
     `parts`: four for each thread of the cluster, unless it is said. A worker that is lost is Dask's to replace."""
+    if not hasattr(client, "nthreads") or not hasattr(client, "submit"):
+        raise TypeError(f"client: expected a dask.distributed.Client, got {said(client)}")
     if parts is None:
         parts = max(4 * sum(client.nthreads().values()), 1)
     if parts < 1:
@@ -34,6 +39,7 @@ def submit(plan: Path, client: Any, folder: Path, parts: Optional[int] = None, r
     return [client.submit(_draw, *words, part, parts, retries=retries, pure=False) for part in range(1, parts + 1)]
 
 
+@hinted
 def join(plan: Path, folder: Path) -> str:
     """Here: whether every file of the plan is there and whole, and pictures and films of pieces, as `mien join` makes them."""
     return _command.run("mien.dask", "join", os.path.abspath(plan), os.path.abspath(folder)).strip()

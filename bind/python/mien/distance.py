@@ -16,8 +16,8 @@ import numpy
 import numpy.typing
 
 from ._errors import Error
-from ._library import call, lib
-from ._picture import real
+from ._kinds import finite, listed, real
+from ._library import call, hinted, lib
 
 __all__ = ["cubic", "ellipse", "feet", "parabola", "quad", "quad_on_grid", "quads", "tapered"]
 
@@ -25,6 +25,7 @@ Reals = numpy.typing.NDArray[Any]
 Points = Union[Sequence[Sequence[float]], Reals]  # control points
 
 
+@hinted
 def quad(points: Points, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
          out: Optional[Reals] = None, accurate: bool = False) -> Any:
     """To the quadratic Bézier curve of 3 points. `accurate`: float32 as if computed in float64 and rounded once.
@@ -35,6 +36,7 @@ def quad(points: Points, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *
     return _measure("quad", [_points(points, 3)], x, y, out, "quad_accurate" if accurate else None)
 
 
+@hinted
 def quads(curves: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
           out: Optional[Reals] = None) -> Any:
     """To the nearest of n quadratic Bézier curves, an array (n, 3, 2). In float32, whatever x and y are; infinity if n is 0.
@@ -49,6 +51,7 @@ def quads(curves: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.ty
     return _measure("quads", [numbers.ravel()], xs, ys, out, "quads", numbers.size // 6)
 
 
+@hinted
 def quad_on_grid(points: Points, origin: tuple[float, float], step: float, columns: int, rows: int) -> Reals:
     """To the quadratic Bézier curve of 3 points, from a grid: an array (rows, columns) of float32, [j, i] from the point origin +
     step (i, j). Quickest where the grid is fine compared with the curve.
@@ -58,12 +61,14 @@ def quad_on_grid(points: Points, origin: tuple[float, float], step: float, colum
     """
     if columns < 0 or rows < 0:
         raise Error("columns, rows", f"expected no negative numbers, got {columns} and {rows}")
+    corner = _numbers(listed(origin, "origin", "(0, 0)"), "origin", 2)
     curve, found = _points(points, 3), numpy.empty((rows, columns), numpy.float32)
-    call(lib.mien_distances_quad_on_grid_f32, curve.ctypes.data, float(origin[0]), float(origin[1]), float(step), columns, rows,
+    call(lib.mien_distances_quad_on_grid_f32, curve.ctypes.data, float(corner[0]), float(corner[1]), finite(step, "step"), columns, rows,
          found.ctypes.data)
     return found
 
 
+@hinted
 def cubic(points: Points, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
           out: Optional[Reals] = None) -> Any:
     """To the cubic Bézier curve of 4 points.
@@ -74,6 +79,7 @@ def cubic(points: Points, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, 
     return _measure("cubic", [_points(points, 4)], x, y, out)
 
 
+@hinted
 def ellipse(center: numpy.typing.ArrayLike, radii: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike,
             y: numpy.typing.ArrayLike, *, axis: numpy.typing.ArrayLike = (1, 0), out: Optional[Reals] = None) -> Any:
     """To an ellipse, negative inside. `axis` is the direction of the first radius.
@@ -87,6 +93,7 @@ def ellipse(center: numpy.typing.ArrayLike, radii: numpy.typing.ArrayLike, x: nu
     return _measure("ellipse", figure, x, y, out)
 
 
+@hinted
 def parabola(vertex: numpy.typing.ArrayLike, axis: numpy.typing.ArrayLike, bend: float, x: numpy.typing.ArrayLike,
              y: numpy.typing.ArrayLike, *, out: Optional[Reals] = None) -> Any:
     """To the parabola vertex + u (axis turned left) + bend u² axis, negative on the side that the axis points to.
@@ -96,9 +103,10 @@ def parabola(vertex: numpy.typing.ArrayLike, axis: numpy.typing.ArrayLike, bend:
     >>> float(parabola((0, 0), (0, 1), 1, 0, 0.25))
     -0.25
     """
-    return _measure("parabola", [_numbers(vertex, "vertex", 2), _numbers(axis, "axis", 2), _numbers(bend, "bend", 1)], x, y, out)
+    return _measure("parabola", [_numbers(vertex, "vertex", 2), _numbers(axis, "axis", 2), numpy.array([finite(bend, "bend")])], x, y, out)
 
 
+@hinted
 def tapered(points: Points, half_widths: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike,
             y: numpy.typing.ArrayLike, *, out: Optional[Reals] = None) -> Any:
     """To a stroke along the quadratic Bézier curve of 3 points, negative inside. Its half-width goes by 3 Bernstein

@@ -16,7 +16,8 @@ from typing import Any, Mapping, Optional, Sequence
 
 from ._errors import Error
 from ._face import Face
-from ._library import said, unknown_name
+from ._kinds import listed, said, table
+from ._library import hinted, unknown_name
 from ._picture import Size, sides
 from ._posed import Posed
 
@@ -50,20 +51,20 @@ class FaceWidget(_anywidget.AnyWidget):  # type: ignore[misc]
     _modules = _traitlets.Dict().tag(sync=True)
     _wasm = _traitlets.Bytes().tag(sync=True)
 
+    @hinted
     def __init__(self, face: Face, sliders: Optional[Sequence[str]] = None, *, size: Size = 320, values: Optional[Mapping[str, float]] = None) -> None:
         """`sliders` are names of controls, of `face.names`; default emotions, the head, the gaze, lids and jaw. A slider's range is the
         control's, or 0 to 1 where that has no end."""
         if not isinstance(face, Face):
             raise TypeError(f"face: expected a face, got {said(face)}")
-        if isinstance(sliders, str):
-            raise TypeError(f'sliders: expected a list, such as ["emotion.joy"], got {said(sliders)}')
         self.face = face
-        names = [one for one in (*(f"emotion.{one}" for one in face.emotions), *_FIRST) if one in face.names] if sliders is None else list(sliders)
+        names = [one for one in (*(f"emotion.{one}" for one in face.emotions), *_FIRST) if one in face.names] if sliders is None else (
+            listed(sliders, "sliders", '["emotion.joy"]'))
         package = web_package() if face.text and not (face._source.beside or face._source.morphs) else None
         made = {"_wasm": (package / "mien.wasm").read_bytes(), "_modules": {one: (package / one).read_text(encoding="utf-8") for one in _MODULES},
                 "_text": face.text} if package else {}
         super().__init__(sliders=[_slider(face, one) for one in names], size=sides(size, face.canvas.aspect), label=face.title or "a drawn face",
-                         values=dict(values or {}), **made)
+                         values=dict(table({} if values is None else values, "values", 'values by name, such as {"yaw": 20}')), **made)
         self._draw()
         self.observe(self._draw, names=["values"])
 

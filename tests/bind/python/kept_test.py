@@ -55,7 +55,7 @@ class Faces(unittest.TestCase):
         self.assertIn('"hair": "bob"', held.recipe)
         self.assertEqual(held.code, people.hold(people.code("ada"), "hair=bob", "age=30"))
         for call, words in ((lambda: mien.from_code(CODE, style="inc"), 'no style named "inc"; did you mean "ink"'),
-                            (lambda: mien.from_code(CODE, style=7), "style"), (lambda: mien.read_face(COMPAT).with_style("ink"), "in full"),
+                            (lambda: mien.from_code(CODE, style="7"), "style"), (lambda: mien.read_face(COMPAT).with_style("ink"), "in full"),
                             (lambda: mien.from_seed("ada", hold={"hari": "bob"}), 'did you mean "hair"')):
             with self.assertRaisesRegex(mien.Error, words):
                 call()

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Films, sheets, tables as faces and experiments: made_test.py MIEN SOURCE"""
 import csv
+import hashlib
 import io
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -11,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import warnings
 import zlib
 
@@ -161,6 +164,55 @@ class Films(Folder):
             shown.append(numpy.asarray(film.convert("RGB")))
         return shown
 
+    def test_last_as_long_as_their_motions(self):
+        def count(**words):
+            return sum(name == b"fcTL" for name in self.chunks(bytes(PERSON.animate(fps=10, size=8, **words))))
+        track = mien.read_motion_text("0\tsil\n0.2\taa\n0.4\tm\n0.6\tsil\n", "a.tsv")
+        shown = {"background": "transparent"}
+        frames = []
+        with unittest.mock.patch.object(mien.Face, "frames", lambda face, count, *size, **how: frames.append(count) or iter([numpy.zeros((2, 2, 4), numpy.uint8)])):
+            for pose in ({"motions": track}, {"motions": [track]}, {"motions": [(track, 1)]}, {"motions": [track, (track, 0.5, 1)]}, {"motions": []}, {}, None, lambda time: {"motions": track},
+                         {"motions": None}):
+                PERSON.animate(fps=10, size=8, pose=pose)
+            PERSON.animate(fps=10, size=8, pose={"motions": track}, seconds=1)
+            PERSON.animate(fps=10, size=8, pose={"motions": track}, begin=0.5)
+            PERSON.animate(fps=10, size=8, pose={"motions": track}, begin=99)
+        spoken = math.ceil(track.length * 10)
+        self.assertEqual(frames, [spoken, spoken, spoken, math.ceil((1 + track.length) * 10), 20, 20, 20, 20, 20, 10, math.ceil((track.length - 0.5) * 10), 1])
+        (self.folder / "a.tsv").write_text("0\tsil\n0.2\taa\n0.4\tm\n0.6\tsil\n")
+        said = subprocess.run([MIEN, "animate", "toon", "--speech", self.folder / "a.tsv", "--fps", "10", "--size", "8", "-o", self.folder / "a.apng"], capture_output=True, text=True, check=True)
+        self.assertTrue(said.stdout.startswith(f"{spoken} frames"), said.stdout)
+        self.assertGreater(count(pose={"motions": track}, **shown), 2)
+
+    def chunks(self, raw):
+        at = 8
+        while at < len(raw):
+            size, name = struct.unpack(">I4s", raw[at:at + 8])
+            yield name
+            at += 12 + size
+
+    def test_in_webp_may_lose_something(self):
+        if not Image:
+            return
+        words = {"frames": 2, "fps": 10, "size": 64, "pose": {"yaw": 10}}
+        sizes = [len(bytes(PERSON.animate(self.folder / "a.webp", quality=quality, **words))) for quality in (5, 90, None)]
+        self.assertTrue(sizes[0] < sizes[1], sizes)
+        PERSON.animate(self.folder / "a.webp", quality=90, **words)
+        self.assertTrue((self.folder / "a.webp").read_bytes().count(b"VP8 ") >= 1)
+        for call in (lambda: PERSON.animate(self.folder / "a.gif", quality=50, **words), lambda: PERSON.animate(quality=50, **words), lambda: PERSON.animate(self.folder / "b.webp", quality=0, **words),
+                     lambda: PERSON.animate(self.folder / "b.webp", quality=101, **words)):
+            with self.assertRaisesRegex(mien.Error, "quality: is 1 to 100, of .webp alone"):
+                call()
+        self.assertEqual(os.listdir(self.folder), ["a.webp"])
+
+    def test_of_what_is_not_said_are_those_of_the_rest(self):
+        PERSON.animate(self.folder / "a.gif", frames=1, size=16, pose={"yaw": 10, "emotion": None, "clips": None, "blink": None})
+        PERSON.animate(self.folder / "b.gif", frames=1, size=16, pose={"yaw": 10})
+        self.assertEqual((self.folder / "a.gif").read_bytes(), (self.folder / "b.gif").read_bytes())
+        for call in (lambda: PERSON.animate(frames=1, size=16, dtype="float32"), lambda: mien.sheet([PERSON], dtype="float32")):
+            with self.assertRaisesRegex(TypeError, 'no argument named "dtype"'):
+                call()
+
     def test_say_what_is_missing(self):
         self.without_command()
         hidden = dict.fromkeys(("PIL", "PIL.Image", "PIL.features"))
@@ -240,10 +292,42 @@ class Tables(Folder):
         numpy.testing.assert_array_equal(mien.chernoff(TABLE, file, cell=32).pixels, by_list.pixels)
         self.assertEqual([one["face"] for one in mien.chernoff(TABLE, rules, label="who", cell=32).manifest], TABLE["who"])
         self.assertEqual([one["face"] for one in mien.chernoff(TABLE, {"map": rules}, label="who", cell=32).manifest], TABLE["who"])
-        for map in (None, file):
-            with self.assertRaisesRegex(mien.Error, "label: goes with a map"):
-                mien.chernoff(TABLE, map, label="who")
+        with self.assertRaisesRegex(mien.Error, "label: goes with no map that is a file"):
+            mien.chernoff(TABLE, file, label="who")
         self.assertFalse((mien.chernoff(TABLE, rules, cell=32, style="ink").pixels == by_list.pixels).all())
+
+    def test_have_labels_without_a_map(self):
+        table = {"id": [7, 8, 9], "kind": ["x", "y", "z"], **TABLE}
+        columns = ["brow.tilt", "eye.size"]
+        file = self.folder / "table.csv"
+        with open(file, "w", newline="") as out:
+            csv.writer(out, delimiter=";").writerows([list(table), *zip(*table.values())])
+        for data in (table, file):
+            for label in ("who", "id", "joy"):
+                moved = [name for name in ("id", "joy", "size") if name != label]
+                made = self.quiet(data, label=label)
+                rules = [{"column": name, "number": number} for name, number in zip(moved, [*columns, "smile"])]
+                numpy.testing.assert_array_equal(made.pixels, mien.chernoff(data, rules, label=label, cell=32).pixels)
+                self.assertEqual([one["face"] for one in made.manifest], [str(one) for one in table[label]])
+                self.assertEqual(list(made.manifest[0])[1:-1:2], moved)
+        numpy.testing.assert_array_equal(mien.chernoff(TABLE, label="who", cell=32).pixels, mien.chernoff(TABLE, cell=32).pixels)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            mien.chernoff({**table, "gap": [1, None, 2]}, label="who", cell=32)
+        self.assertEqual(sorted(str(one.message) for one in told), ['data:3: column "gap": the number is missing: the column is not shown'])
+        self.assertEqual({pathlib.Path(one.filename).name for one in told}, {"made_test.py"})
+        for call, words in ((lambda: mien.chernoff(TABLE, label="whoo"), '^label: data has no column named "whoo"; did you mean "who"'),
+                            (lambda: mien.chernoff(TABLE, [{"column": "joy", "number": "smile"}], label="whoo"), '^label: data has no column'),
+                            (lambda: mien.chernoff({"a": [1, 2]}, label="a"), "label: 'a' is the one column of numbers"), (lambda: mien.chernoff({"who": ["a"]}, label="who"), "no column of numbers")):
+            with self.assertRaisesRegex(mien.Error, words):
+                call()
+        with self.assertRaisesRegex(FileNotFoundError, "no.csv"):
+            mien.chernoff("no.csv", label="a")
+
+    def quiet(self, data, **words):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", mien.Warned)
+            return mien.chernoff(data, cell=32, **words)
 
     def test_warn_of_what_is_missing(self):
         with warnings.catch_warnings(record=True) as told:
@@ -274,13 +358,46 @@ class Experiments(Folder):
     def test_are_drawn_and_drawn_again(self):
         plan = {"size": 32, "factors": [{"name": "joy", "emotion": "joy", "steps": numpy.int64(3)}]}
         made = mien.stimuli(plan, self.folder / "shown")
-        self.assertEqual([set(row) for row in made.table][0], {"file", *made.records[0]["levels"], "displacement"})
+        self.assertEqual([set(row) for row in made.table][0], {"file", *made.records[0]["levels"], "displacement", "sha256"})
         self.assertTrue(any(isinstance(value, float) for value in list(made.table[0].values())[1:-1]))
         self.assertEqual((len(made), len(made.files), made.records[2]["levels"]), (3, 3, {"joy": "1"}))
         self.assertTrue(all(_png.pixels(file.read_bytes()).shape == (32, 32, 4) for file in made.files))
         again = mien.stimuli(made.manifest, self.folder / "again")
         self.assertEqual([one["sha256"] for one in again.records], [one["sha256"] for one in made.records])
         self.assertIn("3 pictures", repr(again))
+        self.assertEqual(mien.Stimuli(str(self.folder / "shown")).table, made.table)
+
+    def test_have_a_table_in_a_file(self):
+        plan = {"size": 16, "factors": [{"name": "file", "emotion": "joy", "values": [0, 0.5]}, {"name": "hair", "part": "hair", "values": ["bob", "afro"]}]}
+        made = mien.stimuli(plan, self.folder / "shown")
+        made.save(self.folder / "table.csv")
+        with open(self.folder / "table.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(list(rows[0]), ["file", "factor.file", "hair", "displacement", "sha256"])
+        self.assertEqual([one["file"] for one in rows], [file.name for file in made.files])
+        self.assertEqual([one["sha256"] for one in rows], [hashlib.sha256(file.read_bytes()).hexdigest() for file in made.files])
+        self.assertEqual({(float(one["factor.file"]), one["hair"]) for one in rows}, {(0, "bob"), (0, "afro"), (0.5, "bob"), (0.5, "afro")})
+        self.assertEqual([float(one["displacement"]) for one in rows], [one["displacement"] for one in made.table])
+        memory = io.BytesIO()
+        made.save(memory)
+        self.assertEqual(memory.getvalue(), (self.folder / "table.csv").read_bytes())
+        before = sorted(os.listdir(self.folder))
+        for call, error, words in ((lambda: made.save(self.folder / "table.xlsx"), mien.Error, "ends with .csv"), (lambda: made.save(self.folder / "no/table.csv"), FileNotFoundError, "no/table.csv"),
+                                   (lambda: made.save(io.StringIO()), TypeError, "takes bytes"), (lambda: mien.Stimuli(self.folder), FileNotFoundError, "manifest.json")):
+            with self.assertRaisesRegex(error, words):
+                call()
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def test_whole_or_not_at_all(self):
+        file = self.folder / "table.csv"
+        file.write_text("kept")
+        with unittest.mock.patch("os.replace", side_effect=OSError(28, "No space left on device")), self.assertRaisesRegex(mien.FileError, "table.csv: cannot be written"):
+            mien.stimuli({"size": 16, "factors": [{"name": "joy", "emotion": "joy", "steps": 2}]}, self.folder / "shown").save(file)
+        with unittest.mock.patch("os.replace", side_effect=OSError(28, "No space left on device")):
+            for call in (lambda: mien.fit_basis(numpy.eye(3), components=1).save(file), lambda: PERSON.animate(file, format="apng", frames=1, size=8), lambda: PERSON.save(file, 8, format="svg")):
+                with self.assertRaisesRegex(mien.FileError, "table.csv: cannot be written"):
+                    call()
+        self.assertEqual((file.read_text(), sorted(os.listdir(self.folder))), ("kept", ["shown", "table.csv"]))
 
 
 class Command(Folder):

@@ -125,13 +125,13 @@ class Faces(unittest.TestCase):
                 (lambda: toon().pose(set={"blink": [1, 2]}), "blink=1.0,2.0", "expected 1 number, got 2"),
                 (lambda: toon().pose(emotions={"none": 1}), "", "emotion"),
                 (lambda: toon().pose(clips=["none"]), "none", "clip"),
-                (lambda: toon().pose(clips=[("a", 1, 2, 3)]), "clips", "expected (name, weight)"),
+                (lambda: toon().pose(clips=[("a", 1, 2, 3)]), "clips", "expected a name, (name, weight)"),
                 (lambda: toon().pose(look_at=(1, 2)), "look_at", "got 2 numbers"),
-                (lambda: toon().pose(unwrap=2), "share", "0 to 1"),
+                (lambda: toon().pose(unwrap=2), "unwrap", "0 to 1"),
                 (lambda: toon().pose(unwrap_mode="odd"), "unwrap_mode", "'odd'"),
                 (lambda: mien.crowd("a", -1), "count", "people"),
-                (lambda: people.code(2**50), "seed", "2^50"),
-                (lambda: people.code(-1), "seed", "2^50"),
+                (lambda: people.code(2**50), "of", "2^50"),
+                (lambda: people.code(-1), "of", "2^50"),
                 (lambda: people.near("?", 0.1), "", "")):
             with self.assertRaises(mien.Error) as raised:
                 call()
@@ -601,6 +601,36 @@ class Feet(unittest.TestCase):
             self.assertTrue(there.any() and not there.all())
             self.assertTrue((numpy.abs(following.distance[there]) >= numpy.abs(nearest.distance[there])).all())
             self.assertTrue(numpy.isposinf(following.distance[~there]).all() and not following.normal[~there].any())
+
+    def test_tell_the_point_on_the_curve(self):
+        x, y = numpy.random.default_rng(6).random((2, 40, 25)) * 3 - 1
+        points = numpy.array(QUAD, float)
+
+        def curve(t):
+            t = t[..., None]
+            return (1 - t) ** 2 * points[0] + 2 * t * (1 - t) * points[1] + t * t * points[2]
+        for foot in distance.feet.quad(QUAD, x, y):
+            there = foot.piece >= 0
+            numpy.testing.assert_allclose(foot.point[there], curve(foot.t)[there], atol=1e-12)
+            self.assertTrue(numpy.isnan(foot.point[~there]).all())
+        for feet, of in ((distance.feet.tapered(QUAD, (0.1, 0.2, 0.05), x, y), lambda at: distance.tapered(QUAD, (0.1, 0.2, 0.05), *at)),
+                         (distance.feet.ellipse((0.5, 0.5), (1, 2), x, y, axis=(1, 1)), lambda at: distance.ellipse((0.5, 0.5), (1, 2), *at, axis=(1, 1))),
+                         (distance.feet.lines([[(0, 0), (1, 1)]], x, y, half_width=0.1), lambda at: distance.feet.line((0, 0), (1, 1), *at, half_width=0.1).nearest.distance)):
+            self.assertTrue((feet.nearest.distance < 0).any())
+            numpy.testing.assert_allclose(of(numpy.moveaxis(feet.nearest.point, -1, 0)), 0, atol=1e-12)  # on the outline
+        ellipse = distance.feet.ellipse((0, 0), (2, 1), 0, 0.25).nearest
+        numpy.testing.assert_allclose((ellipse.point, ellipse.normal), ((0, 1), (0, 1)), atol=1e-15)  # inside it points to the foot
+        numpy.testing.assert_allclose(distance.feet.quad(QUAD, 1.0, [2.0]).nearest.normal @ (0, 1) > 0, True)
+        for place, shape in ((1, (2,)), ([1, 2], (2, 2)), ([], (0, 2))):
+            self.assertEqual(distance.feet.quad(QUAD, place, 2).nearest.point.shape, shape)
+
+    def test_are_shown_short(self):
+        many = distance.feet.quad(QUAD, numpy.zeros((40, 25)), 1)
+        self.assertEqual(repr(many.nearest), "<mien.distance.feet.Foot of 40 x 25 places: piece, t, distance, normal, bend, point>")
+        self.assertLess(len(repr(many)), 250)
+        one = repr(distance.feet.line((0, 0), (2, 0), 1, 1))
+        self.assertIn("piece 0, t 0.5, distance 1>", one)
+        self.assertIn("next=<mien.distance.feet.Foot: piece -1", one)
 
     def test_of_lists_tell_the_piece(self):
         square = [[(0, 0), (2, 0)], [(2, 0), (2, 2)], [(2, 2), (0, 2)], [(0, 2), (0, 0)]]

@@ -131,7 +131,7 @@ class Names(unittest.TestCase):
             mien.sample("tonn")
 
     def test_the_laboratory_comes_when_it_is_asked_and_names_its_package(self):
-        program = "import sys, mien; print('mien.lab' in sys.modules); mien.lab.check(None, program='/no/mien-accuracy')"
+        program = "import sys, mien; print('mien.lab' in sys.modules); mien.lab.check(abs, program='/no/mien-accuracy')"
         said = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
         self.assertEqual(said.stdout, "False\n")
         self.assertRegex(said.stderr, r"mien.Error: /no/mien-accuracy: cannot be run: .*; it is in the package mien-accuracy, or built with -DMIEN_BUILD_ACCURACY=ON")
