@@ -93,8 +93,10 @@ void NearArea::leave_out(float r, NearNode* nodes) {
 }
 
 std::size_t NearArea::deciding(const NearNode* nodes, std::size_t node) const {
+  // Operands lie before their operators, so this ends. Leaves ask nobody.
   for (;;) {
     const Node& n = nodes_[node];
+    if (n.op == Op::shape) return node;
     if (nodes[node].asks == NearNode::Asks::first)
       node = std::size_t(n.a);
     else if (nodes[node].asks == NearNode::Asks::second && n.op != Op::subtract)

@@ -46,6 +46,7 @@ inline void EnterSquare(NearArea& area, const NearNode* from, float x, float y, 
   const auto branches_from = [&](size_t k) { return from ? &from[k].branches : nullptr; };
   if (nodes.size() == 1) {
     NearArea::Leaf& leaf = area.leaves()[0];
+    to[0].asks = NearNode::Asks::both;
     if (from && from[0].branches.sure) {
       const NearBranches& known = from[0].branches;
       const int i = std::countr_zero(known.local);

@@ -17,13 +17,16 @@ HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
 namespace HWY_NAMESPACE {
 
-/// Enters one square after the other, each from the one before; places are the last one's.
+/// Enters one square after the other, each from the one before; places are the last one's. Nodes are as other areas left
+/// them, since tiles use their memory again.
 void SeeInSquares(NearArea& area, const std::vector<test::SeenSquare>& squares, const float* x,
                   const float* y, std::vector<NearNode>& last, BranchPair& to) {
   FindFeetOf(area);
   std::vector<NearNode> before;
+  NearNode used;
+  used.asks = NearNode::Asks::first, used.side = -1;
   for (const test::SeenSquare& s : squares) {
-    last.assign(area.nodes().size(), {});
+    last.assign(area.nodes().size(), used);
     EnterSquare(area, before.empty() ? nullptr : before.data(), s.x, s.y, s.r, last.data());
     before = last;
   }
@@ -150,6 +153,24 @@ TEST(NearSquares, SeeTheSameWithoutWhatIsFartherAllOverThem) {
     EXPECT_GT(looked, 3000);
     EXPECT_GT(ridges, 200);
     EXPECT_GT(left_out, nodes / 4);
+  });
+}
+
+/// A shape alone decides, whatever another area's node asked before; it used to ask itself without an end.
+TEST(NearSquares, AShapeAloneDecides) {
+  test::on_every_set([] {
+    SceneBuilder scene({.box = {{0, 0}, {48, 48}}}, {1, 1, 1, 1});
+    const Area disc = scene.shape(Disc{{24.0, 24.0}, 5.0});
+    const AreaDistance distance(std::move(scene).finish(), disc, {});
+    const FeetArea feet(distance, {0, 0});
+    NearArea near;
+    near.narrow(feet, kTileMiddle, 12.0);
+    InSquares at;
+    at.look(near, {{0.0f, 0.0f, 11.4f}, {2.0f, 2.0f, 2.83f}});
+    ASSERT_EQ(at.nodes.size(), 1u);
+    EXPECT_EQ(at.nodes[0].asks, NearNode::Asks::both);
+    at.nodes[0].asks = NearNode::Asks::first;
+    EXPECT_EQ(near.deciding(at.nodes.data()), 0u);
   });
 }
 
