@@ -17,10 +17,11 @@ import { NAMES, SOURCES, defineProperties, meant, poseOf, propertyOf, words } fr
 import { forget, leave, wait } from './drawing_queue.js';
 
 const STYLE = `:host { display: inline-block } :host([hidden]), [hidden] { display: none !important } canvas, ::slotted(*) { display: block; max-width: 100% }
-  p:empty { display: none } p { margin: 0; font: 14px/1.4 system-ui, sans-serif; max-width: 20rem; overflow-wrap: anywhere }`;
+  p:empty { display: none } p { margin: 0; font: 12px/1.3 system-ui, sans-serif; overflow: auto; overflow-wrap: anywhere }`;
 /** When a sound has another moment. */
 const MOMENTS = ['play', 'pause', 'seeked', 'ended'];
 const INSIDE = '<slot></slot><canvas part="canvas"></canvas><p part="refused" role="status"></p>';
+const EASED = 300, BLINK = 400;  // [ms] until a new emotion is there; that a blink takes
 const LONGEST = 2 ** 31 - 1;  // [ms] that a timer waits
 const UNKNOWN = 'a drawn face';  // until it is known what it looks like
 
@@ -58,6 +59,13 @@ function showTogether(ms, show) {
 const FRAME = 17, LONGEST_KEPT = 100;  // [ms]
 const KEPT = 1 / 6;  // of the time between a face's pictures: who sees it twice a second sees it a twelfth of a second later
 
+/** Strengths by name; a text that is no number stays what it is, to be refused. */
+const numbersOf = (weights = {}) => Object.fromEntries(Object.entries(weights).map(([name, one]) => [name, Number.isNaN(Number(one)) ? one : Number(one)]));
+function mixed(one, other, share) {
+  const names = new Set([...Object.keys(one), ...Object.keys(other)]), part = (of, name) => (typeof of[name] === 'number' ? of[name] : 0);
+  return Object.fromEntries([...names].map((name) => [name, typeof other[name] === 'string' ? other[name] : part(one, name) * (1 - share) + part(other, name) * share]));
+}
+
 /** The texts of files that are on their way, by address: faces of one file fetch it once. */
 const fetched = new Map();
 async function fetchText(address) {
@@ -76,7 +84,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away; what its last
    *  picture took and what all were charged [ms]; whether its clips have run. */
   number = 0; inView = false; isNear = false; cost = 0; spent = 0; plays = false;
-  #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #turned = false; #posed = null; #kept = null; #shown = 0; #framed = false; #wanted = false; #ran = 0; #since = 0; #over = 0; #complaint = ''; #extra = {}; #live = {}; #track = null; #sound = null;
+  #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #turned = false; #posed = null; #kept = null; #shown = 0; #framed = false; #wanted = false; #ran = 0; #since = 0; #over = 0; #complaint = ''; #felt = null; #extra = {}; #live = {}; #track = null; #sound = null;
 
   constructor() {
     super();
@@ -195,6 +203,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   /** Tells what is refused; who does not take care of it reads it in the console. */
   #complain(where, what) {
     const complaint = `${where}: ${what}`;
+    this.#felt = null;
     if (complaint === this.#complaint) return;  // of a frame of clips that was asked for before
     this.#complaint = complaint;
     if (this.#tell('mien-refused', { where, what })) console.warn(`<mien-face>: ${where ? complaint : what}`);
@@ -264,26 +273,30 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     const dots = globalThis.devicePixelRatio || 1, [width, height] = ['width', 'height'].map((name) => Number.parseFloat(this.getAttribute(name) ?? 320));
     this.#canvas.style.width = `${width}px`;
     this.#canvas.style.aspectRatio = `${width} / ${height}`;
+    Object.assign(this.#said.style, { maxWidth: `${width}px`, maxHeight: `${height}px` });
     const size = { width: Math.round(width * dots), height: Math.round(height * dots) };
     if (!this.#drawn) Object.assign(this.#canvas, size);  // a picture of another size stays until the next is there
     return size;
   }
-  /** [s] That its clips have run. */
+  /** [s] That its clips have run, or would have been seen to. */
   get #clock() { return this.#ran + (this.#since && (performance.now() - this.#since) / 1000); }
-  /** The clock goes while clips run, and so does a track by that clock. */
+  /** The clock goes while clips run, and so does a track by that clock: its end comes for everybody. */
   #wind() {
-    if (this.#plays === this.#since > 0) return;
-    this.#ran = this.#clock, this.#since = this.#plays ? performance.now() : 0;
+    if (this.#runs === this.#since > 0) return;
+    this.#ran = this.#clock, this.#since = this.#runs ? performance.now() : 0;
     this.#awaitEnd();
   }
   get #speaks() { return this.number !== 0 && this.#track?.text !== undefined && this.#sound?.paused === false; }
-  get #plays() { return this.number !== 0 && this.playing && this.#extra.time === undefined && (this.#wanted || !page.stillness.matches); }
+  /** Whether its clock goes; and whether what goes by it is seen, which it is not of people who want less motion. */
+  get #runs() { return this.number !== 0 && this.playing && this.#extra.time === undefined; }
+  get #plays() { return this.#runs && (this.#wanted || !page.stillness.matches); }
   /** Whether its mouth moves now: such faces go before others. */
   get #talks() {
     const track = this.#track;
     if (this.#sound || track?.text === undefined) return this.#speaks;
     return this.#plays && !(this.#clock - track.begin > track.length);
   }
+  get #turns() { return this.#felt !== null && performance.now() - this.#felt.at < EASED; }
   /** Of a pausable face: its clips rest, or run again. Who asks for motion gets it. */
   #press() {
     if (!this.pausable) return;
@@ -297,7 +310,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     this.#framed = true;
     then(() => {
       this.#framed = false;
-      if ((this.#plays || this.#speaks) && !this.#lane && !this.#asked) this.#lane = this.#talks && this.inView ? 'asked' : 'playing', this.queue();
+      if ((this.#plays || this.#speaks) && !this.#lane && !this.#asked) this.#lane = (this.#talks || this.#turns) && this.inView ? 'asked' : 'playing', this.queue();
     });
   }
   #pose() {
@@ -310,8 +323,9 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
       if (!plays) pose.time = time;
       return { motion, begin: plays ? pose.time - time : 0 };
     };
-    if (plays) pose.time = this.#clock;
-    if (track && plays && !this.#sound && track.begin === undefined) track.begin = pose.time, this.#awaitEnd();  // it begins when it is set
+    if (plays) pose.time = this.#clock, this.#ease(pose), this.#keepAwake(pose);
+    else this.#felt = null;
+    if (track && this.#runs && !this.#sound && track.begin === undefined) track.begin = this.#clock, this.#awaitEnd();  // it begins when it is set
     if (track) pose.motions = [...(pose.motions ?? []), this.#sound ? follow(track.text, this.#sound.currentTime) : { motion: track.text, begin: track.begin ?? 0 }];
     if (spoken !== undefined) pose.motions = [follow(spoken, moment)];
     if (at !== undefined && said('steady') !== null) {
@@ -319,6 +333,18 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
       live.steady = { at, cutoff, beta };
     }
     return { ...pose, ...live };
+  }
+  /** A face that plays turns to another emotion in a moment, as faces do, not at once. */
+  #ease(pose) {
+    const now = performance.now(), to = numbersOf(pose.emotions), key = JSON.stringify(to);
+    if (this.#felt?.key !== key) this.#felt = { key, to, from: this.#felt?.now ?? to, at: this.#felt ? now : -Infinity };
+    const felt = this.#felt, share = Math.min((now - felt.at) / EASED, 1);
+    felt.now = share < 1 ? mixed(felt.from, felt.to, share * share * (3 - 2 * share)) : felt.to;
+    if (share < 1) pose.emotions = felt.now;
+  }
+  /** Where pictures are rare a blink would last until the next one, so the lids stay open. Faces of files may have no such number. */
+  #keepAwake(pose) {
+    if (this.#source.src === undefined && performance.now() - this.#shown > BLINK) pose.set = { blink: 0, ...pose.set };
   }
   #show({ pixels, width, height, ms, seen }) {
     this.#said.textContent = '', this.#drawn = true;

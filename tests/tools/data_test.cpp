@@ -197,6 +197,23 @@ TEST_F(DataTest, ASampleNeedsNotTheWholeProduct) {
   EXPECT_EQ(all, text("shown/manifest.json"));
 }
 
+TEST_F(DataTest, WhatThePlansFaceIsWithoutNobodyHas) {
+  const auto people = [&](const std::string& face) {
+    const std::string factor = R"("factors": [{"people": 60, "seed": "bare"}])";
+    EXPECT_EQ(stimuli(plan(R"("face": )" + face + ", " + factor)).code, 0);
+    return text("shown/manifest.json");
+  };
+  const auto has = [](const std::string& manifest, const std::string& family) {
+    return manifest.find("\"" + family + "\": \"") != std::string::npos;
+  };
+  const std::string all = people("{}");
+  for (const char* family : {"glasses", "beard", "moustache"}) EXPECT_TRUE(has(all, family));
+  const std::string bare =
+      people(R"({"parts": {"glasses": null, "beard": null, "moustache": "none"}})");
+  for (const char* family : {"glasses", "beard", "moustache"}) EXPECT_FALSE(has(bare, family));
+  EXPECT_TRUE(has(bare, "hair"));
+}
+
 TEST_F(DataTest, ASeedIsAWordOrTheNumberOfThatName) {
   const auto people = [&](const std::string& seed) {
     const std::string factor = R"("factors": [{"people": 3, "seed": )" + seed + "}]";

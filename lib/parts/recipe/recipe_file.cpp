@@ -104,13 +104,14 @@ class RecipeReader {
     recipe_.own_parts[name] = {path.string(), *std::move(text)};
   }
 
-  /// "hair": "bob", or {"part": "bob", "length": 0.2} with the part's own numbers, or null: none; "quiff.part.json": a
-  /// part of one's own.
+  /// "hair": "bob", or {"part": "bob", "length": 0.2} with the part's own numbers, or null or "none"; "quiff.part.json":
+  /// a part of one's own.
   void read_part(const JsonNode& node) {
     const std::string_view name = in_.tree.key(node);
     const Family* family = library_->find_family(name);
     if (!family) refuse_unknown(node, "family of parts", name, library_->families());
-    if (node.kind == JsonKind::null) {
+    const bool none = node.kind == JsonKind::string && in_.string(node) == "none";
+    if (node.kind == JsonKind::null || (none && !family->find("none"))) {
       if (family->find("none")) {
         recipe_.parts[family->name] = "none";
         return;

@@ -287,6 +287,56 @@ test('a track rests with its face, and tells its end when it has been spoken', a
   assert.ok(ended[0] > 800 && ended[0] < 1450, `it ended ${ended[0]} ms after it went on`);
 });
 
+test('a track ends for those who want less motion, too', async () => {
+  const on = await open('playing');
+  await drawn(on);
+  await on.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] });
+  const [after, drawings] = await on.run(async (track) => {
+    await new Promise((done) => setTimeout(done, 300));
+    const begin = performance.now(), before = count('it');
+    it.speak(track);
+    await new Promise((done) => it.addEventListener('mien-ended', done, { once: true }));
+    return [performance.now() - begin, count('it') - before];
+  }, TRACK);
+  assert.ok(after > 1000 && after < 4000, `it ended after ${after} ms`);
+  assert.ok(drawings <= 2, `${drawings} pictures of a face at rest`);
+});
+
+test('a face that plays turns to an emotion in a moment, one at rest at once', async () => {
+  const on = await open('playing');
+  await drawn(on, 'it', 5);
+  const felt = () => on.run(async () => {
+    const felt = [];
+    it.emotion = { joy: 0.8 };
+    for (const begin = performance.now(); performance.now() - begin < 1000; await frames(1)) if (window.posed.emotions) felt.push(Number(window.posed.emotions.joy));
+    return felt;
+  });
+  const seen = await felt();
+  assert.ok(new Set(seen.filter((joy) => joy > 0 && joy < 0.8)).size >= 3 && seen.at(-1) === 0.8, `${seen}`);
+  assert.ok(seen.every((joy, i) => i === 0 || joy >= seen[i - 1]), `${seen}`);
+  await on.run(() => { it.playing = false, it.emotion = null; });
+  await on.until(() => !window.posed.emotions);
+  assert.deepEqual([...new Set(await felt())], [0.8]);
+});
+
+test('where pictures are rare the lids stay open, unless the page shuts them', async () => {
+  const blinks = (on) => on.run(async () => {
+    const found = new Set();
+    for (const begin = performance.now(); performance.now() - begin < 1500; await frames(1)) found.add(String(window.posed.set?.blink));
+    return [...found];
+  });
+  const one = await open('playing');
+  await drawn(one, 'it', 10);
+  assert.deepEqual(await blinks(one), ['undefined']);
+  const crowd = await open('slow', { width: 1280, height: 1000 });
+  await crowd.until(() => window.told.length > 100);
+  await crowd.run(() => { for (const face of document.querySelectorAll('#crowd mien-face')) face.playing = false; });
+  await crowd.run(() => { slow.width = slow.height = 1200; });  // a picture takes longer than a blink
+  await crowd.until(() => window.posed.set?.blink === 0);
+  await crowd.run(() => { slow.blink = 0.3; });
+  await crowd.until(() => window.posed.set?.blink === '0.3');
+});
+
 test('what is refused of a face that plays is told once', async () => {
   const on = await open('playing');
   await drawn(on, 'it', 3);

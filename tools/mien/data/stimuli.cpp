@@ -64,6 +64,7 @@ class Experiment {
   void put_person(const Recipe& person, Recipe& recipe) const {
     Recipe both = plan_.neutral ? neutral_recipe(person) : person;
     for (const auto& [family, part] : plan_.face.parts) both.parts[family] = part;
+    for (const std::string& family : plan_.without) both.parts.erase(family);
     for (const auto& [name, value] : plan_.face.numbers) both.numbers[name] = value;
     for (const auto& [name, part] : plan_.face.own_parts) both.own_parts[name] = part;
     both.style = plan_.face.style;

@@ -83,6 +83,11 @@ class PlanReader {
   void read_face(const JsonNode& node) {
     const Recipe read = read_recipe(in_, node, &folder_);
     plan_.face = plan_.neutral && !read.code.empty() ? neutral_recipe(read) : read;
+    if (const JsonNode* parts = in_.find(node, "parts"))
+      in_.for_each(*parts, [&](const JsonNode& part, int) {
+        const std::string family(in_.tree.key(part));
+        if (!read.parts.contains(family)) plan_.without.push_back(family);
+      });
     if (const JsonNode* numbers = in_.find(node, "numbers"))
       in_.for_each(*numbers, [&](const JsonNode& number, int) {
         const std::string name(in_.tree.key(number));
@@ -296,7 +301,8 @@ class PlanReader {
     }
     in_.expect(*values, JsonKind::array);
     in_.for_each(*values, [&](const JsonNode& value, int) {
-      factor.levels.emplace_back(parts[in_.word(value, family.name, parts)]);
+      const bool none = value.kind == JsonKind::null && family.optional;
+      factor.levels.emplace_back(none ? "none" : parts[in_.word(value, family.name, parts)]);
     });
     if (factor.levels.empty()) in_.refuse(*values, "no part is named");
     refuse_equal(*values, factor.levels);

@@ -37,7 +37,8 @@ struct Factor {
 };
 
 struct StimulusPlan {
-  Recipe face;          ///< what no factor moves
+  Recipe face;                       ///< what no factor moves
+  std::vector<std::string> without;  ///< families of which `face` says that nobody has a part
   bool neutral = true;  ///< people whom the plan names neither smile nor move of themselves
   int size = 256;       ///< [px] the longer side of a picture
   std::vector<Factor> factors;
