@@ -357,6 +357,10 @@ MIEN_C_API mien_status mien_code_hold(const char* code, size_t length, const cha
                                       size_t held_length, int32_t clamp, mien_texts** out,
                                       mien_error** error);
 
+/* The code of the same person without an expression: no smile, no mood, lips closed. A list of one text. */
+MIEN_C_API mien_status mien_code_neutral(const char* code, size_t length, mien_texts** out,
+                                         mien_error** error);
+
 /* Somebody like the person of a code: `by`, 0 to 1, is how far and how likely things change. Different seeds
  * are different people. */
 MIEN_C_API mien_status mien_code_near(const char* code, size_t length, double by, uint64_t seed,

@@ -5,6 +5,7 @@
 #include <mien/relatives.h>
 #include "bind/c/door_private.h"
 #include "bind/c/handles_private.h"
+#include "lib/parts/code/code_fields.h"
 #include "lib/parts/recipe/recipe_file.h"
 
 #include <algorithm>
@@ -91,6 +92,16 @@ mien_status mien_code_hold(const char* code, size_t length, const char* held, si
                   [&](const mien::HeldValue& one) { return one.field == value.field; });
     changed.held.push_back(value);
     made = one_code(changed);
+  });
+}
+
+mien_status mien_code_neutral(const char* code, size_t length, mien_texts** out,
+                              mien_error** error) {
+  return pass("mien_code_neutral", error, [&] {
+    mien_texts*& made = place(out);
+    auto recipe = must(mien::recipe_from_code(code_of(code, length, "code")), MIEN_UNREADABLE);
+    const auto neutral = mien::neutral_recipe(std::move(recipe));
+    made = one_code(must(mien::code_of_recipe(neutral), MIEN_UNREADABLE));
   });
 }
 

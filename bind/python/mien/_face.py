@@ -48,15 +48,15 @@ class Face:
 
     @classmethod
     @hinted
-    def from_seed(cls, word: Word, *, style: Optional[str] = None, hold: Optional[Mapping[str, Any]] = None) -> Face:
+    def from_seed(cls, word: Word, *, style: Optional[str] = None, hold: Optional[Mapping[str, Any]] = None, neutral: bool = False) -> Face:
         """As `mien.from_seed`."""
-        return from_seed(word, style=style, hold=hold)
+        return from_seed(word, style=style, hold=hold, neutral=neutral)
 
     @classmethod
     @hinted
-    def from_code(cls, code: str, *, style: Optional[str] = None) -> Face:
+    def from_code(cls, code: str, *, style: Optional[str] = None, neutral: bool = False) -> Face:
         """As `mien.from_code`."""
-        return from_code(code, style=style)
+        return from_code(code, style=style, neutral=neutral)
 
     @property
     def code(self) -> Optional[str]:
@@ -384,8 +384,10 @@ def _c_text(words: str, name: str) -> bytes:
 
 
 @hinted
-def from_code(code: str, *, style: Optional[str] = None) -> Face:
-    """The person of a code, "AA7Q2-MKX4T-BY"; `style`, such as "ink", is how she is painted (`people.styles()`)."""
+def from_code(code: str, *, style: Optional[str] = None, neutral: bool = False) -> Face:
+    """The person of a code, "AA7Q2-MKX4T-BY"; `style`, such as "ink", is how she is painted (`people.styles()`). `neutral`: without
+    the smile and the mood that people rest in."""
+    code = people.neutral(code) if neutral else code
     source = Source(None, code, code)
     if style is not None:
         source = source.styled(style)
@@ -393,18 +395,12 @@ def from_code(code: str, *, style: Optional[str] = None) -> Face:
 
 
 @hinted
-def from_seed(word: Word, *, style: Optional[str] = None, hold: Optional[Mapping[str, Any]] = None) -> Face:
+def from_seed(word: Word, *, style: Optional[str] = None, hold: Optional[Mapping[str, Any]] = None, neutral: bool = False) -> Face:
     """The person of a word, such as a user's name: the same word, the same person. A whole number is its text: 42 is "42".
 
-    `hold` has parts and numbers that she has whatever the word says: {"hair": "bob", "age": 30}.
+    `hold` has parts and numbers that she has whatever the word says: {"hair": "bob", "glasses": None, "age": 30}. `neutral`: without
+    the smile and the mood that people rest in; what is held stays.
     """
     code = people.code(word_of(word, "word"))
     held = table({} if hold is None else hold, "hold", 'parts and numbers by name, such as {"hair": "bob"}')
-    return from_code(people.hold(code, *(f"{name}={_held(value, name)}" for name, value in held.items())), style=style)
-
-
-def _held(value: Any, name: str) -> Any:
-    """A part's name, or a number."""
-    if not isinstance(value, str):
-        number(value, f"hold[{name!r}]")
-    return value
+    return from_code(people.hold(people.neutral(code) if neutral else code, held), style=style)

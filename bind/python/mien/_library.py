@@ -108,6 +108,7 @@ _STATUS: dict[str, list[Any]] = {
     "mien_recipe_from_seed": [c_uint64, _ERROR],
     "mien_recipe_from_code": [*_TEXT, _ERROR],
     "mien_code_hold": [*_TEXT, *_TEXT, c_int32, _ERROR],
+    "mien_code_neutral": [*_TEXT, _ERROR],
     "mien_code_near": [*_TEXT, c_double, c_uint64, _ERROR],
     "mien_code_between": [*_TEXT, *_TEXT, c_double, _ERROR],
     "mien_code_of_child": [*_TEXT, *_TEXT, c_uint64, _ERROR],

@@ -14,14 +14,14 @@ True
 from __future__ import annotations
 
 import ctypes
-from typing import Any, NamedTuple, Union
+from typing import Any, Iterator, Mapping, NamedTuple, Union
 
 from . import _kinds
 from ._errors import Error
-from ._kinds import Word, number, said, whole
+from ._kinds import Word, number, said, table, whole
 from ._library import call, hinted, lib, texts, utf8
 
-__all__ = ["between", "child", "code", "crowd", "difference", "hold", "in_full", "near", "numbers", "parts", "recipe", "seed", "styles"]
+__all__ = ["between", "child", "code", "crowd", "difference", "hold", "in_full", "near", "neutral", "numbers", "parts", "recipe", "seed", "styles"]
 
 
 @hinted
@@ -68,11 +68,26 @@ def crowd(word: Word, count: int) -> list[str]:
 
 
 @hinted
-def hold(person: str, *held: str, clamp: bool = False) -> str:
-    """The code with things held whatever its seed says: "hair=bob", "eye.size=1.05"."""
+def hold(person: str, *held: Union[str, Mapping[str, Any]], clamp: bool = False) -> str:
+    """The code with things held whatever its seed says: "hair=bob", "eye.size=1.05", or {"hair": "bob", "glasses": None}."""
     for one in held:
-        person = texts(lib.mien_code_hold, *utf8(person, "person"), *utf8(one, "held"), bool(clamp))[0]
+        for words in [one] if isinstance(one, str) else _held(table(one, "held", '"hair=bob" or {"hair": "bob"}')):
+            person = texts(lib.mien_code_hold, *utf8(person, "person"), *utf8(words, "held"), bool(clamp))[0]
     return person
+
+
+def _held(values: Mapping[Any, Any]) -> Iterator[str]:
+    """Parts' names, none of a family as "none" or None, and numbers."""
+    for name, value in values.items():
+        if value is not None and not isinstance(value, str):
+            number(value, f"hold[{name!r}]")
+        yield f"{name}={'none' if value is None else value}"
+
+
+@hinted
+def neutral(person: str) -> str:
+    """The code of the same person without an expression: no smile, no mood, lips closed."""
+    return texts(lib.mien_code_neutral, *utf8(person, "person"))[0]
 
 
 @hinted

@@ -56,6 +56,16 @@ static void test_relatives(const char* one, const char* other) {
   OK(mien_code_hold(one, END, "eye.size=99", END, 1, &held, &error));
   mien_texts_free(near), mien_texts_free(ends), mien_texts_free(child), mien_texts_free(held);
 
+  mien_texts *calm = NULL, *calmer = NULL, *recipe = NULL;
+  OK(mien_code_hold(one, END, "smile=0.8", END, 0, &held, &error));
+  OK(mien_code_neutral(mien_texts_at(held, 0), END, &calm, &error));
+  OK(mien_recipe_from_code(mien_texts_at(calm, 0), END, &recipe, &error));
+  CHECK(!holds(mien_texts_at(recipe, 0), "\"smile\": 0.8") && !holds(mien_texts_at(recipe, 0), "grin"));
+  OK(mien_code_neutral(mien_texts_at(calm, 0), END, &calmer, &error));
+  CHECK(strcmp(mien_texts_at(calm, 0), mien_texts_at(calmer, 0)) == 0);
+  FAILS(MIEN_REFUSED, NULL, mien_code_neutral("nobody", END, &near, &error));
+  mien_texts_free(calm), mien_texts_free(calmer), mien_texts_free(recipe), mien_texts_free(held);
+
   FAILS(MIEN_REFUSED, "by", mien_code_near(one, END, 1.5, 7, &near, &error));
   FAILS(MIEN_REFUSED, "2^50", mien_code_near(one, END, 0.5, kTooLarge, &near, &error));
   FAILS(MIEN_REFUSED, "at", mien_code_between(one, END, other, END, -1, &ends, &error));

@@ -71,7 +71,7 @@ def calls():
         "mien.chernoff": ({"data": TABLE, "cell": 16}, {"data": "text", "map": "none text list"}), "mien.stimuli": ({"plan": PLAN, "folder": folder / "made"}, {"plan": "text"}),
         "mien.Steady": ({}, {}), "mien.Renderer": ({}, {}), "mien.Stimuli": ({"folder": "made"}, {}), "mien.Picture": ({"pixels": numpy.zeros((2, 2, 4), numpy.uint8)}, {}),
         "mien.crowd": ({"word": "a", "count": 2}, {}), "people.crowd": ({"word": "a", "count": 2}, {}), "people.seed": ({"word": "ada"}, {}), "people.code": ({"of": "ada"}, {"of": "text"}),
-        "people.recipe": ({"of": CODE}, {"of": "text"}), "people.in_full": ({"words": people.recipe(CODE)}, {}), "people.hold": ({"person": CODE}, {}),
+        "people.recipe": ({"of": CODE}, {"of": "text"}), "people.in_full": ({"words": people.recipe(CODE)}, {}), "people.hold": ({"person": CODE}, {}), "people.neutral": ({"person": CODE}, {}),
         "people.near": ({"person": CODE}, {}), "people.between": (pair, {}), "people.child": (pair, {}), "people.difference": (pair, {}),
         "people.styles": ({}, {}), "people.parts": ({}, {}), "people.numbers": ({}, {}),
         "distance.quad": ({"points": QUAD, **place}, {**POINT, "out": "none"}), "distance.quads": ({"curves": QUADS, **place}, {**POINT, "out": "none", "curves": "list"}),

@@ -29,6 +29,22 @@ class Poses(unittest.TestCase):
         self.assertEqual(PERSON.pose(expressions={"arkit": {"jawOpen": 0.5}}), PERSON.pose(arkit={"jawOpen": 0.5}))
         self.assertNotEqual(PERSON.pose(expressions={"arkit": {"jawOpen": 0.5}}), PERSON.pose())
 
+    def test_people_are_neutral_when_asked(self):
+        smiling = people.hold(people.code("ada"), "smile=0.9")
+        calm = mien.from_code(smiling, neutral=True)
+        self.assertEqual(calm, mien.from_code(people.neutral(smiling)))
+        self.assertNotEqual(calm, mien.from_code(smiling))
+        self.assertEqual(people.neutral(people.neutral(smiling)), people.neutral(smiling))
+        self.assertEqual(mien.from_seed("ada", neutral=True), mien.from_code(people.neutral(people.code("ada"))))
+        self.assertEqual(mien.from_seed("ada", neutral=True, hold={"smile": 0.9}), mien.from_code(people.hold(people.neutral(people.code("ada")), "smile=0.9")))
+
+    def test_things_are_held_as_texts_or_as_a_table(self):
+        ada = people.code("ada")
+        self.assertEqual(people.hold(ada, {"glasses": None, "age": 30}), people.hold(ada, "glasses=none", "age=30"))
+        self.assertEqual(mien.from_seed("ada", hold={"beard": None}), mien.from_code(people.hold(ada, "beard=none")))
+        with self.assertRaisesRegex(TypeError, r"hold\['age'\]: expected a number"):
+            people.hold(ada, {"age": object()})
+
     def test_have_the_words_of_the_command_and_of_javascript(self):
         self.same({"blink": 0.5, "yaw": 20, "pitch": -5, "roll": 3, "bias": 0.1},
                   {"set": {"blink": 0.5, "yaw": 20, "pitch": -5, "roll": 3, "bias": 0.1}})
