@@ -92,6 +92,10 @@ WebAssembly.instantiate = async (...given) => {
   return instance;
 };
 const { load } = await import(`file://${built}/mien.js`), mien = await load(readFileSync(join(built, 'mien.wasm')));
-const codes = mien.crowd('figures', CROWD), cpu = () => { const { user, system } = process.cpuUsage(); return (user + system) / 1000; }, began = cpu(), held = [];
-for (const code of codes) held.push(mien.person(code)), held.at(-1).draw(72, 72);
-console.log(`${CROWD} people at rest, drawn once at 72 px: ${(memory.buffer.byteLength / CROWD / 1e6).toFixed(2)} MB of mien's memory each, all that it has counted; ${((cpu() - began) / CROWD).toFixed(1)} ms of CPU each`);
+const codes = mien.crowd('figures', 2 * CROWD), cpu = () => { const { user, system } = process.cpuUsage(); return (user + system) / 1000; }, began = cpu(), held = [], counted = [];
+for (const half of [codes.slice(0, CROWD), codes.slice(CROWD)]) {
+  for (const code of half) held.push(mien.person(code)), held.at(-1).draw(72, 72);
+  counted.push(memory.buffer.byteLength);
+}
+const each = (bytes) => (bytes / CROWD / 1e6).toFixed(2);
+console.log(`${CROWD} people at rest, drawn once at 72 px: ${each(counted[0])} MB of mien's memory each, all that it has counted; as many more ${each(counted[1] - counted[0])} MB each; ${((cpu() - began) / codes.length).toFixed(1)} ms of CPU each`);
