@@ -196,6 +196,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   }
 
   #refuse(where, what) {
+    if (this.#turns) return this.#felt.at = -Infinity, this.redraw();  // what is wrong is told of the whole emotion
     if (!this.#drawn && !this.#standIn) this.#said.textContent = where ? `${where}: ${what}` : what;
     this.#stand();
     this.#complain(where, what);

@@ -132,6 +132,18 @@ TEST_F(ChernoffTest, WrongMapsAreToldAtTheirPlace) {
   EXPECT_NE(twice.err.find("one value is seen twice"), std::string::npos) << twice.err;
 }
 
+/// Names are a column of texts: where a number is missing it is no name.
+TEST_F(ChernoffTest, AColumnWithAMissingNumberIsNoLabel) {
+  const Ran ran = run_mien({"chernoff", file("gap.csv", "size,mood\n1,5\n,6\n3,7\n"), "-o",
+                            path("gap.png"), "--manifest", path("gaps.csv"), "--cell", "32"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(
+      ran.err.find("gap.csv:3: column \"size\": the number is missing: the column is not shown"),
+      std::string::npos)
+      << ran.err;
+  EXPECT_NE(text("gaps.csv").find("\n2,6,"), std::string::npos) << text("gaps.csv");
+}
+
 TEST_F(ChernoffTest, ATableWithoutAMapIsShown) {
   const Ran ran = run_mien({"chernoff", MIEN_SOURCE_DIR "/examples/chernoff/planets.csv", "-o",
                             path("c.png"), "--cell", "32", "--columns", "4"});

@@ -328,7 +328,8 @@ class Face:
         return self.pose()._repr_png_()
 
     def __repr__(self) -> str:
-        return f"<mien.Face {self.title or 'without a name'}: {len(self.names)} names>"
+        style = f", {self.style}" if self.style not in (None, "soft") else ""
+        return f"<mien.Face {self.title or 'without a name'}{style}: {len(self.names)} names>"
 
 
 def _face_again(state: Any) -> Face:

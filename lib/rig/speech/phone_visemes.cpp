@@ -158,6 +158,7 @@ bool belong_together(const Entry& one, const Entry& next) {
     return is_vowel(next.first) || next.first == V::RR || next.first == V::nn || next.name == "m";
   if (next.name == "j" || next.name == "w") return true;
   constexpr std::string_view kThroat[] = {"x", "χ", "h", "ɦ"};
+  if (one.name == next.name) return false;
   const bool stop = ends == V::PP || ends == V::DD || ends == V::kk;
   return stop &&
          (next.first == V::FF || next.first == V::TH || next.first == V::CH ||

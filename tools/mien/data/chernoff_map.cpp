@@ -147,7 +147,7 @@ Expected<ChernoffMap> default_chernoff_map(const Table& table, std::vector<Error
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const std::string& column = table.columns[i];
     if (const auto numeric = table.numeric(i); !numeric) {
-      if (!map.label)
+      if (!map.label && table.has_texts(i))
         map.label = column;
       else
         warnings->push_back(

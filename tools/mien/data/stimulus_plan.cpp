@@ -224,10 +224,23 @@ class PlanReader {
     read_scale(node, number.lo, number.hi, factor);
   }
 
+  /// An emotion's control: "joy", or "left.joy".
+  std::string emotion(const JsonNode& node) const {
+    static constexpr std::array<std::string_view, 6> kFeelings{"joy",  "sadness", "anger",
+                                                               "fear", "disgust", "surprise"};
+    const std::string_view text = in_.string(node);
+    std::string_view whole = text;
+    for (const std::string_view side : {"left.", "right."})
+      if (text.starts_with(side)) whole.remove_prefix(side.size());
+    if (std::ranges::count(kFeelings, whole) == 0)
+      in_.refuse(node, unknown_name("emotion", text, {kFeelings.begin(), kFeelings.end()}));
+    return "emotion." + std::string(text);
+  }
+
   void read_control(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
     factor.kind = FactorKind::control;
-    const bool emotion = in_.tree.key(kind) == "emotion";
-    factor.what = (emotion ? "emotion." : "") + std::string(in_.string(kind));
+    const bool feeling = in_.tree.key(kind) == "emotion";
+    factor.what = feeling ? emotion(kind) : std::string(in_.string(kind));
     factor.name = in_.string(kind);
     read_scale(node, 0, 1, factor);
   }
@@ -237,7 +250,10 @@ class PlanReader {
     factor.kind = FactorKind::control;
     in_.expect(kind, JsonKind::array);
     std::vector<std::string> names;
-    in_.for_each(kind, [&](const JsonNode& one, int) { names.emplace_back(in_.string(one)); });
+    in_.for_each(kind, [&](const JsonNode& one, int) {
+      emotion(one);
+      names.emplace_back(in_.string(one));
+    });
     if (names.empty()) in_.refuse(kind, "no emotion is named");
     refuse_equal(kind, names);
     if (const JsonNode* equal = in_.find(node, "equal"))

@@ -80,6 +80,15 @@ Expected<Done> Table::numeric(std::size_t column) const {
   return Done{};
 }
 
+bool Table::has_texts(std::size_t column) const {
+  std::size_t texts = 0, filled = 0;
+  for (const std::vector<std::string>& row : rows) {
+    if (trimmed(row[column]).empty()) continue;
+    ++filled, texts += csv_number(row[column], decimal_commas) ? 0 : 1;
+  }
+  return filled > 0 && 2 * texts >= filled;
+}
+
 Expected<Table> read_table(const std::filesystem::path& path, std::vector<Error>* warnings) {
   const auto bytes = read_bytes(path, kMostTableBytes);
   if (!bytes) return bytes.error();

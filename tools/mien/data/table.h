@@ -25,6 +25,8 @@ struct Table {
   Expected<double> number(std::size_t row, std::size_t column) const;
   /// Whether every row has a finite number there; the error is that of the first cell that has none.
   Expected<Done> numeric(std::size_t column) const;
+  /// Whether texts stand there: at least half of the cells that are not empty are no numbers.
+  bool has_texts(std::size_t column) const;
   /// Where a cell is: `states.csv:8: column "Murder"`.
   std::string place(std::size_t row, std::size_t column) const;
 };
