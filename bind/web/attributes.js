@@ -7,6 +7,7 @@ export const ATTRIBUTES = {
   seed: { is: 'string | number', says: 'or a word: the same word is the same person' },
   src: { is: 'string', says: "or a face file's address" },
   'face-style': { is: 'Style', says: "a person's paint, such as \"ink\"; `style` is CSS's, here as everywhere" },
+  neutral: { is: 'boolean', says: 'the person without the smile and the mood that people rest in' },
   width: { is: 'number | string', says: "in CSS pixels (320); the picture has the display's own pixels" },
   height: { is: 'number | string', says: 'in CSS pixels (320)' },
   emotion: { is: "string | Weights<N['emotions']>", says: '"joy=0.8, left.surprise=0.3"' },
@@ -32,7 +33,7 @@ export const ATTRIBUTES = {
 };
 export const NAMES = Object.keys(ATTRIBUTES);
 /** Those that say who is drawn. */
-export const SOURCES = ['src', 'code', 'seed', 'face-style'];
+export const SOURCES = ['src', 'code', 'seed', 'face-style', 'neutral'];
 
 /** 'look-at' as 'lookAt'. */
 export const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());

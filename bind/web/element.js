@@ -225,11 +225,11 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     }
   }
   #open() {
-    const said = (name) => this.getAttribute(name) ?? undefined, style = said('face-style');
+    const said = (name) => this.getAttribute(name) ?? undefined, style = said('face-style'), { neutral } = this;
     const [code, seed, src] = ['code', 'seed', 'src'].map(said);
     const none = code === undefined && seed === undefined && src === undefined;
     this.#kept = null;
-    this.#source = none ? null : code !== undefined ? { code, style } : seed !== undefined ? { seed, style } : { src, name: src, style };
+    this.#source = none ? null : code !== undefined ? { code, style, neutral } : seed !== undefined ? { seed, style, neutral } : { src, name: src, style };
     this.#worker = null;
     if (none) this.#lane = null, leave(this);
     this.#size();

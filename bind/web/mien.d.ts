@@ -130,6 +130,7 @@ export class Mien {
   recipe(code: string): string;
   code(word: string): string;
   held(code: string, what: string): string;
+  neutral(code: string): string;
   between(one: string, other: string, at: number): string;
   near(code: string, by?: number, word?: string): string;
   parts(): Parts;

@@ -110,6 +110,8 @@ export class Mien {
   held(code, what) {
     return this.#m.withText(code, (t, n) => this.#m.withText(what, (w, k) => this.texts('mien_code_hold', t, n, w, k, 0)[0]));
   }
+  /** The code of the same person without an expression: no smile, no mood, lips closed. */
+  neutral(code) { return this.#m.withText(code, (t, n) => this.texts('mien_code_neutral', t, n)[0]); }
   /** The code of somebody between two. */
   between(one, other, at) {
     return this.#m.withText(one, (t, n) => this.#m.withText(other, (w, k) => this.texts('mien_code_between', t, n, w, k, at)[0]));

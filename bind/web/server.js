@@ -26,7 +26,7 @@ async function picture(asked) {
   mien.known('parameters', Object.fromEntries(asked), KNOWN, 'parameter');
   const said = (name) => asked.get(name), who = said('code') ?? { seed: said('seed') ?? '' };
   const size = Object.fromEntries(['width', 'height'].filter((name) => asked.has(name)).map((name) => [name, side(said(name), name)]));
-  return svg(who, { ...size, style: said('face-style') ?? undefined, alt: said('alt') ?? undefined, pose: poseOf(said), deadline: DEADLINE });
+  return svg(who, { ...size, style: said('face-style') ?? undefined, neutral: asked.has('neutral'), alt: said('alt') ?? undefined, pose: poseOf(said), deadline: DEADLINE });
 }
 
 /** The answer to a Request. */

@@ -5,6 +5,8 @@ export interface Picture {
   width?: number;
   height?: number;
   style?: Style;
+  /** Without the smile and the mood that people rest in. */
+  neutral?: boolean;
   pose?: Pose;
   /** What a screen reader says; none: what the face looks like; "": nothing, it decorates. */
   alt?: string;

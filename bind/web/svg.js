@@ -9,7 +9,7 @@
 import { describe } from './describe.js';
 import { MienError, load } from './mien.js';
 
-const KEYS = ['width', 'height', 'style', 'pose', 'alt', 'idPrefix', 'tolerance', 'deadline'], SIDE = 128, TOLERANCE = 0.1;
+const KEYS = ['width', 'height', 'style', 'neutral', 'pose', 'alt', 'idPrefix', 'tolerance', 'deadline'], SIDE = 128, TOLERANCE = 0.1;
 const quoted = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 let loading;
 /** mien, loaded once. */
@@ -20,7 +20,7 @@ export async function svg(who, how = {}) {
   mien.known('svg', how, KEYS);
   if (typeof who !== 'string') mien.known('svg', who, ['seed']);
   if (who.seed === '') throw new MienError('seed', 'expected a word, got none');
-  const code = typeof who === 'string' ? who : mien.code(String(who.seed));
+  const whose = typeof who === 'string' ? who : mien.code(String(who.seed)), code = how.neutral ? mien.neutral(whose) : whose;
   const { width = SIDE, height = SIDE, style, pose = {}, idPrefix, tolerance = TOLERANCE, deadline } = how;
   const alt = how.alt ?? describe(mien.recipe(code), pose), face = mien.person(code, { style });
   try {

@@ -1,8 +1,8 @@
 // Draws faces away from the page's own thread; painter.js asks it.
 //
 // Messages in: { begin, module } first: what another worker has compiled, or nothing. { id, source?, width, height, pose,
-// deadline } asks for a picture. `source` is { code }, { seed } or { text, name }, with a `style` or without; where it is missing
-// the face is that of before. { id, free }: the element is no more.
+// deadline } asks for a picture. `source` is { code } or { seed }, `neutral` or not, or { text, name }, with a `style` or without;
+// where it is missing the face is that of before. { id, free }: the element is no more.
 // Messages out: { ready, module } once; then, in the order in which was asked, { pixels, width, height, ms, seen?, told, length? },
 // where `seen` tells what the face looks like, if that is new, `told` what is odd in new tracks, and `length` how long the last of
 // the pose's tracks is [s]; { where, what } for what mien refused, `broken` with it if the
@@ -25,20 +25,21 @@ async function begin(given) {
   return loaded;
 }
 
-function read(loaded, { code, seed, text, name, style }) {
+function read(loaded, source) {
+  const { text, name, style } = source;
   if (text !== undefined) return loaded.face(style === undefined ? text : styled(text, name, style), name);
-  return loaded.person(codeOf(loaded, code, seed), { style });
+  return loaded.person(codeOf(loaded, source), { style });
 }
 
-function codeOf(loaded, code, seed) {
+function codeOf(loaded, { code, seed, neutral }) {
   if (code === undefined && seed === '') throw new MienError('seed', 'expected a word, got none');
-  return code ?? loaded.code(seed);
+  const whose = code ?? loaded.code(seed);
+  return neutral ? loaded.neutral(whose) : whose;
 }
 
 /** What is said of the face, if it is not what was said before. */
 function news(loaded, of, { emotions }) {
-  const { code, seed, text } = of.source;
-  of.recipe ??= JSON.parse(text ?? loaded.recipe(codeOf(loaded, code, seed)));
+  of.recipe ??= JSON.parse(of.source.text ?? loaded.recipe(codeOf(loaded, of.source)));
   const now = describe(of.recipe, { emotions });
   if (now === of.seen) return {};
   of.seen = now;

@@ -448,6 +448,17 @@ test('of many changes the newest is drawn', async () => {
   assert.ok(await on.run(() => count('it')) - before <= 25);
 });
 
+test('a neutral face is that of the neutral code', async () => {
+  const on = await open('ada');
+  await drawn(on);
+  const before = await shown(on), code = mien.neutral(mien.code('ada'));
+  await change(on, () => { it.neutral = true; });
+  const neutral = await shown(on);
+  assert.notDeepEqual(neutral, before);
+  await change(on, (calm) => { it.neutral = null, it.seed = null, it.code = calm; }, code);
+  assert.deepEqual(await shown(on), neutral);
+});
+
 test('a seed is a person, and so is a long one; an empty one is refused', async () => {
   const on = await open('ada');
   await drawn(on);

@@ -41,6 +41,10 @@ test('the same word is the same person, and a held part stays', () => {
   assert.notEqual(mien.code('hallo'), code);
   assert.match(mien.recipe(mien.held(code, 'hair=bob')), /"hair": *"bob"/);
   assert.equal(new Set(mien.crowd('x', 5)).size, 5);
+  const smiling = mien.held(code, 'smile=0.9'), calm = mien.neutral(smiling);
+  assert.notEqual(calm, smiling);
+  assert.equal(mien.neutral(calm), calm);
+  assert.doesNotMatch(mien.recipe(calm), /"smile": 0\.[1-9]/);
 });
 
 test('people have a time of their own, and without liveliness none', () => {

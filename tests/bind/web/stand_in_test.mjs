@@ -47,6 +47,12 @@ async function heard(on) {
 }
 const hears = async (name) => { const on = await open(name); await drawn(on); return heard(on); };
 
+test('a neutral picture is that of the neutral code', async () => {
+  const how = { width: 72, height: 72 }, calm = mien.neutral(mien.code('ada'));
+  assert.equal(await svg({ seed: 'ada' }, { ...how, neutral: true }), await svg(calm, how));
+  assert.notEqual(await svg(calm, how), picture);
+});
+
 test('who hears the page is told what the face looks like', async () => {
   const on = await open('ada');
   await drawn(on);
