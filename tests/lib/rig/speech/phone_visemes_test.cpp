@@ -49,7 +49,8 @@ TEST(PhoneVisemes, TakeTheNearestForWhatTheyDoNotKnow) {
 /// A word or a slip, whose letters are sounds each for itself.
 TEST(PhoneVisemes, TellWordsFromSounds) {
   using enum PhoneAlphabet;
-  for (const char* name : {"hello", "blorp", "xq", "xx", "the", "ahoi", "aeiou", "pm", "ʃt", "ab", "paɪ"})
+  for (const char* name :
+       {"hello", "blorp", "xq", "xx", "the", "ahoi", "aeiou", "pm", "ʃt", "ab", "paɪ"})
     EXPECT_FALSE(phone_meaning(ipa, name).known) << name;
   for (const char* name : {"b@U", "tSV", "n1a"})
     EXPECT_FALSE(phone_meaning(sampa, name).known) << name;
