@@ -169,7 +169,10 @@ def main(folder):
         for kill in range(2):  # as a node that fails would end it; Slurm starts it again
             cluster.until(lambda: processes_of(KILLED, out), "process of the part to be killed")
             time.sleep(0.3 + alone / PARTS / 8)
-            for process in processes_of(KILLED, out):
+            victims = processes_of(KILLED, out)
+            if not victims:
+                break  # a fast machine was done with the rest of the part
+            for process in victims:
                 cluster.run("scontrol", "requeue", f"{job}_{KILLED}", check=False)
                 os.kill(process, signal.SIGKILL)
                 kills += 1
