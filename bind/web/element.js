@@ -345,7 +345,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   }
   /** Where pictures are rare a blink would last until the next one, so the lids stay open. Faces of files may have no such number. */
   #keepAwake(pose) {
-    if (this.#source.src === undefined && performance.now() - this.#shown > BLINK) pose.set = { blink: 0, ...pose.set };
+    if (this.#source.src === undefined && performance.now() - this.#shown + this.cost > BLINK) pose.set = { blink: 0, ...pose.set };
   }
   #show({ pixels, width, height, ms, seen }) {
     this.#said.textContent = '', this.#drawn = true;
