@@ -248,7 +248,10 @@ PhoneMeaning phone_meaning(PhoneAlphabet alphabet, std::string_view name) {
   const PhoneMeaning found = alphabet == PhoneAlphabet::arpabet
                                  ? arpabet_meaning(name)
                                  : sound_meaning(name, alphabet == PhoneAlphabet::sampa);
-  return viseme && !found.known ? as_viseme : found;
+  if (found.known) return found;
+  if (viseme) return as_viseme;
+  // Capitals among visemes or IPA, of a track by hand: "M".
+  return is_arpabet(name) ? arpabet_meaning(name) : found;
 }
 
 std::optional<PhoneMeaning> azure_viseme(double id) {

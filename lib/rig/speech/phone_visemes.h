@@ -35,8 +35,8 @@ struct PhoneMeaning {
 PhoneAlphabet alphabet_of(std::span<const std::string_view> names);
 
 /// The shapes of a sound. Silence, and what stands for it ("", "sp", "SIL", "_"), is sil. A sound that the alphabet does not
-/// have is the viseme of that name, or like the sound that its first letters mean, or else like "kk", of which little is
-/// seen.
+/// have is the viseme of that name, or the sound of ARPABET, or like the sound that its first letters mean, or else like
+/// "kk", of which little is seen.
 PhoneMeaning phone_meaning(PhoneAlphabet alphabet, std::string_view name);
 
 /// The shape of one of the 22 ids of Azure's viseme events.

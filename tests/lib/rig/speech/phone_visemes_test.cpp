@@ -73,6 +73,11 @@ TEST(PhoneVisemes, KnowVisemesAmongPhones) {
       EXPECT_EQ(kVisemeNames[int(meaning.shapes[0].viseme)], std::string_view(name));
     }
   EXPECT_EQ(first(PhoneAlphabet::ipa, "O"), Viseme::O);
+  for (const PhoneAlphabet in : {PhoneAlphabet::ipa, PhoneAlphabet::visemes}) {
+    EXPECT_EQ(first(in, "M"), Viseme::PP) << "of ARPABET";
+    EXPECT_TRUE(phone_meaning(in, "OW1").known);
+    EXPECT_TRUE(phone_meaning(in, "HH").known);
+  }
   EXPECT_EQ(first(PhoneAlphabet::arpabet, "TH"), Viseme::TH);
 }
 
