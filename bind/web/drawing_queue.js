@@ -7,7 +7,7 @@
 //
 // A page has as many workers as it has cores, four at most, and starts another only when all are at work. A face stays
 // with the worker that has read it, unless far more wait there than for another. Clips share the time, not the turns: a face of
-// a hundred braids, which takes forty times as long as others, has a quarter of their turns. First pictures and such faces
+// a hundred braids, which takes forty times as long as others, is charged for four of theirs. First pictures and such faces
 // keep away from the worker of a face that talks, where there is another one.
 
 import { Painter, charge } from './painter.js';

@@ -3,6 +3,7 @@
 #include "lib/base/one_line.h"
 #include "lib/file/json/read_bytes.h"
 #include "lib/parts/recipe/recipe_file.h"
+#include "tools/mien/data/feelings.h"
 #include "tools/mien/data/file_format.h"
 
 #include <fmt/format.h>
@@ -14,8 +15,6 @@ namespace mien::command {
 namespace {
 
 constexpr std::array<std::string_view, 3> kScales{"linear", "rank", "quartile"};
-constexpr std::array<std::string_view, 6> kFeelings{"joy",  "sadness", "anger",
-                                                    "fear", "disgust", "surprise"};
 constexpr std::size_t kMostFeatures = 64;
 
 /// What people read from faces, the most exact first: slant of the brows and size of the eyes (Morris, Ebert

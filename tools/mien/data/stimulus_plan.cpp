@@ -5,6 +5,7 @@
 #include "lib/file/json/json_text.h"
 #include "lib/file/json/read_bytes.h"
 #include "lib/parts/recipe/recipe_file.h"
+#include "tools/mien/data/feelings.h"
 #include "tools/mien/data/file_format.h"
 
 #include <fmt/format.h>
@@ -226,8 +227,6 @@ class PlanReader {
 
   /// An emotion's control: "joy", or "left.joy".
   std::string emotion(const JsonNode& node) const {
-    static constexpr std::array<std::string_view, 6> kFeelings{"joy",  "sadness", "anger",
-                                                               "fear", "disgust", "surprise"};
     const std::string_view text = in_.string(node);
     std::string_view whole = text;
     for (const std::string_view side : {"left.", "right."})
