@@ -140,7 +140,8 @@ bool SquareResolver::lit(const Scope& scope) const {
   });
 }
 
-/// Whether a gradient seen in the square may have a stop there, or even one at which it jumps; or a profile a kink.
+/// Whether a gradient seen in the square may have a stop there, or even one at which it jumps; or a profile a kink, or a
+/// highlight that places may miss.
 SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, const Scope& scope) {
   Kink worst = Kink::none;
   for (const LiveLayer& live : logic_.live(scope)) {
@@ -150,9 +151,11 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
     const GridPaint& paint = varied.paint;
     if (varied.lit >= 0) {
       const LitSurface& surface = paints_.lit[std::size_t(varied.lit)].surface();
-      const double depth = outward(varied.lit, center).d;
+      const Outward at = outward(varied.lit, center);
+      if (surface.highlight_hides(surface.zone_inside(at.d), center, at, kSqrt2 * half))
+        return Kink::jump;
       for (const double level : surface.levels())
-        if (std::abs(depth - level) <= kSqrt2 * half) worst = Kink::stop;
+        if (std::abs(at.d - level) <= kSqrt2 * half) worst = Kink::stop;
     }
     if (!paint.ramp) continue;
     const PaintField& f = paint.field;

@@ -178,7 +178,7 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
   // Under a ramp whose opacity varies, and under a group that mixes, lower layers count place by place.
   const auto steps = looks_->steps(look);
   each_ = std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
-    return step.mode != MixMode::normal || (step.kind == Kind::paint && fades(step));
+    return step.mode != MixMode::normal || (step.kind == Kind::paint && looks_->fades(step));
   });
   LitPart part{nullptr, 0.0f, 0.0f, 1.0f};
   if (form) part = part_of(*form, cells);
@@ -226,14 +226,6 @@ glm::vec4 LookShader::with_products(const VariedPaint& varied, const glm::vec4& 
   }
   off /= float(varied.tolerance);
   return told[0];
-}
-
-/// Whether a paint's opacity varies.
-bool LookShader::fades(const LookStep& step) const {
-  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-  if (varied.by_integral)
-    return varied.paint.ramp->least_opacity() < varied.paint.ramp->most_opacity();
-  return varied.paint.ramp && looks_->segment(step).slope.a != 0.0;
 }
 
 /// Colours of a step that lanes do not know, from the `first` place on.

@@ -70,7 +70,6 @@ class LookShader {
     return varied.lit < 0 ? nullptr : &looks_->paints().lit[std::size_t(varied.lit)];
   }
   glm::vec4 with_products(const VariedPaint& varied, const glm::vec4& mean, float& off);
-  bool fades(const LookStep& step) const;
   Mix ramp_mean_of_part(const LookStep& step, const Places& at);
   void give_means_of_cells(const LookStep& step, const Places& at, ColorRow& to);
 

@@ -78,7 +78,10 @@ class Looks final : public LookRule {
   /// Whether cells do not help either, so that its pixels are resolved by distances: it is lit and its ramp has too
   /// many kinks, or two such ramps lie over each other and do not cross.
   bool open(int look) const { return looks_[std::size_t(look)].open; }
-  /// Where two ramps with integrals lie over each other, one along a distance: that one. Else null.
+  /// Whether a paint's opacity varies.
+  bool fades(const LookStep& step) const;
+  /// Where two ramps with integrals lie over each other, one along a distance, or light under what fades or mixes: that
+  /// one. Else null.
   const VariedPaint* products(int look) const {
     const int varied = looks_[std::size_t(look)].products;
     return varied < 0 ? nullptr : &paints_->varied[std::size_t(varied)];

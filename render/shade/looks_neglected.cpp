@@ -93,15 +93,28 @@ bool Looks::open_by(std::span<const LookStep> steps) const {
   return false;
 }
 
+/// Light below what fades or mixes counts as one, too: how it changes within a pixel has no bound but what is seen.
 int Looks::products_of(std::span<const LookStep> steps) const {
-  int along = -1, count = 0;
+  int along = -1, count = 0, light = -1;
   for (const LookStep& step : steps) {
-    if (step.kind != Kind::paint || step.zone >= 0 || step.segment >= 0) continue;
-    const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
-    if (field.kind == PaintField::Kind::distance) along = step.varied;
+    if (step.mode != MixMode::normal && light >= 0) return light;
+    if (step.kind != Kind::paint) continue;
+    const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
+    if (light >= 0 && fades(step)) return light;
+    if (step.zone >= 0) light = step.varied;
+    if (step.zone >= 0 || step.segment >= 0) continue;
+    if (varied.paint.field.kind == PaintField::Kind::distance) along = step.varied;
     ++count;
   }
   return count > 1 ? along : -1;
+}
+
+bool Looks::fades(const LookStep& step) const {
+  const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
+  if (!varied.paint.ramp) return false;
+  if (step.segment < 0)
+    return varied.paint.ramp->least_opacity() < varied.paint.ramp->most_opacity();
+  return segment(step).slope.a != 0.0;
 }
 
 }  // namespace mien

@@ -73,6 +73,7 @@ class PaintMaker {
     varied.paint.field = {};
     varied.kinks.clear(), varied.levels.clear(), varied.domes.clear();
     varied.by_integral = false;
+    varied.tolerance = tolerance_, varied.linear = view_.blend == Blend::linear;
     varied.lowest = varied.highest = 0, varied.lit = -1;
     return varied;
   }
@@ -82,7 +83,6 @@ class PaintMaker {
   const std::vector<double>& places(VariedPaint& varied, double lo, double hi, double per_pixel) {
     const Ramp& ramp = *varied.paint.ramp;
     varied.lowest = lo, varied.highest = hi;
-    varied.tolerance = tolerance_, varied.linear = view_.blend == Blend::linear;
     if (ramp.kinks(lo, hi, most_, to_.kinks_)) return to_.kinks_;
     varied.by_integral = true, varied.integral.make(ramp);
     if (ramp.extend() != Extend::pad && !(per_pixel < kEven * varied.integral.period()))

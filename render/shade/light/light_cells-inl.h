@@ -26,8 +26,9 @@ struct OpenBy {
   float jump, kink;  ///< more of these may be off
   float apart,
       few;  ///< by how much quarters may be apart from their whole; and that times their area, of a few
-  bool quarters;  ///< whether the listed cells are quarters of cells that were open
-  bool small;     ///< whether nothing but ridges and clamps can matter within a cell
+  bool quarters;      ///< whether the listed cells are quarters of cells that were open
+  bool small;         ///< whether nothing but ridges and clamps can matter within a cell
+  float bell = 0.0f;  ///< what of a highlight a cell may not see, times its area
   float half_cell =
       0.0f;  ///< half a diagonal of a cell, of the range among those looked at together
 };
@@ -134,6 +135,8 @@ inline void FindBroken(const SixteenCells& now, const OpenBy& by, bool jumps, bo
       const VF away = hn::Max(load(now.shades.bounds[b]), hn::Neg(load(now.shades.upper[b])));
       breaks = hn::Or(breaks, hn::Le(away, load(reach[b])));
     }
+    // Quarters along an outline see as deep as their whole, and agree with it whatever lies between.
+    breaks = hn::Or(breaks, hn::Gt(hn::Mul(load(now.shades.bell), load(now.area)), Const(by.bell)));
     hn::Store(hn::IfThenElse(breaks, Const(1.0f), zero), f, broken + k);
   }
 }
@@ -185,6 +188,8 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
 /// its middle.
 inline void LookAtCells(CellPixel& pixel, const CellGrid& grid, const CellList& list, int count,
                         OpenBy by, CellMean& mean, CellList& open) {
+  // [of the tolerance] Two depths leave a sixth of a highlight's peak at most.
+  constexpr float kBellOfCell = 0.3f;
   const LightTile& tile = pixel.tile;
   SixteenCells now;
   std::uint16_t which[16];
@@ -195,6 +200,7 @@ inline void LookAtCells(CellPixel& pixel, const CellGrid& grid, const CellList& 
     // Half of what quarters range over, a sixth of what 4 × 4 cells do; and half as much again for their bends.
     by.half_cell = grid.side == 4 && LeastOf16(now.area) > 0.0f ? 0.25f : 0.75f;
     SeeCells(pixel, !by.quarters && looks == 0, now);
+    by.bell = kBellOfCell * tile.tolerance / pixel.encoding.most();
     const float kink = KinkAmong(tile, now.shades, now.area, 0.1f), jump = MostOf16(now.jump);
     mean.kink = HWY_MAX(mean.kink, kink), mean.jump = HWY_MAX(mean.jump, jump);
     if (pixel.bends) by.small = false;
@@ -242,7 +248,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // Of what cells are apart from theirs, in all or from mean to mean: how the means go on from the smallest cells, and
   // what may be left after these; what is left of cells that are settled. And how much of that a pixel bears [of the
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
-  constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.3f;
+  constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 3.0f, kCoarse = 1.3f;
   const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
   // Of that: cells that were closed with more left were closed too soon. Stops of a ramp cut a pixel into many parts,
   // whose doubts add up: each has its share.
@@ -275,9 +281,11 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
     const bool last = side == finest;
     const float each = allowed * float(side * side) / (16.0f * pixel.seen);
     // Cells at a part's tips see too little of it to agree on, and none sees across what is thinner than it.
-    constexpr int kClosesFrom = 16;
+    constexpr int kClosesFrom = 16, kClosesBroken = 32;
     const bool sees = side >= finest || float(side) >= seen_from;
-    const float closes = (tile.fine && form && side < kClosesFrom) || !sees ? -1.0f : 1.0f;
+    const bool broken = last_jump > jump_by * each || last_kink > kink_by * each;
+    const int closes_from = broken ? kClosesBroken : form ? kClosesFrom : 0;
+    const float closes = (tile.fine && side < closes_from) || !sees ? -1.0f : 1.0f;
     LookAtCells(pixel, grid, list, count,
                 {kClosed * jump_by * each, kClosed * kink_by * each,
                  last ? 1e9f : closes * kApart * allowed / pixel.seen, closes * few_apart * allowed,

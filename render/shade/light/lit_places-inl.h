@@ -34,6 +34,7 @@ struct Shades {
   alignas(64) float bounds[3][16],
       upper[3][16];  ///< and where two depths are looked at the greater ones
   alignas(64) float foot[16], inside[16];
+  alignas(64) float bell[16];  ///< a highlight's peak that two depths may not see
 };
 
 /// Which of sixteen places count: all.
@@ -84,6 +85,7 @@ HWY_INLINE void PutColor(const LitColor& color, int k, Shades& to) {
   for (int b = 0; b < 3; ++b)
     hn::Store(color.bounds[b], f, to.bounds[b] + k), hn::Store(color.bounds[b], f, to.upper[b] + k);
   hn::Store(color.foot, f, to.foot + k), hn::Store(color.inside, f, to.inside + k);
+  hn::Store(hn::Zero(f), f, to.bell + k);
 }
 
 /// Each place by itself.
@@ -147,6 +149,7 @@ HWY_INLINE float SteepnessAt(const LightTile& tile, float v) {
 /// encoded values.
 struct Encoding {
   float by[LightTile::kChannels];
+  float most() const { return HWY_MAX(by[0], HWY_MAX(by[1], by[2])); }
 };
 inline Encoding EncodingAt(const LightTile& tile, const float* v) {
   Encoding to{{1.0f, 1.0f, 1.0f, 1.0f}};

@@ -52,6 +52,42 @@ double LitSurface::rise(int zone, double depth) const {
   return r.height / r.width * out / std::sqrt(1.0 - out * out);
 }
 
+/// By how much the normal turns [rad] within `reach` of a place, by domes and along the relief's own: no more than their
+/// slopes change. A dome's 4 h (1 − q²) Uᵀ q changes by 4 h |U|² (1 − q²) across, and by 1 − 3 q² of that along.
+double LitSurface::turns_by(int zone, glm::dvec2 p, const Outward& at, double reach) const {
+  double turns = 0.0;
+  for (const GridRelief::GridDome& dome : relief().domes) {
+    const glm::dvec2 x = dome.unit[0], y = dome.unit[1];
+    const double square = glm::dot(x, x) + glm::dot(y, y), wide = std::sqrt(square) * reach;
+    const double out = glm::length(dome.unit * (p - center_ - dome.center));
+    const double near = std::max(out - wide, 0.0), far = std::min(out + wide, 1.0);
+    if (near < 1.0)
+      turns += 4.0 * std::abs(dome.height) * square * reach *
+               std::max(1.0 - near * near, 3.0 * far * far - 1.0);
+  }
+  if (flat(zone) || relief().profile != Profile::round) return turns;
+  const double width = relief().width, here = std::atan(rise(zone, -at.d));
+  return turns + std::max(std::abs(std::atan(rise(zone, std::max(-at.d - reach, 0.0))) - here),
+                          std::abs(std::atan(rise(zone, std::min(reach - at.d, width))) - here));
+}
+
+bool LitSurface::highlight_hides(int zone, glm::dvec2 p, const Outward& at, double reach) const {
+  constexpr double kSeen = 1e-3;  // of white
+  constexpr double kBell = 0.8;   // of its width: four places see a bell of a peak and its flanks
+  const Lamp& lamp = relief().lamp;
+  if (!(lamp.specular() > 0.0)) return false;
+  const glm::dvec3& h = lamp.halfway();
+  // A highlight ends where it is as bright as on a level surface.
+  const double wide = std::min(1.0 / std::sqrt(lamp.shininess()), std::hypot(h.x, h.y));
+  const double turns = turns_by(zone, p, at, reach);
+  if (turns <= kBell * wide) return false;
+  const glm::dvec2 s = slope(zone, p, at);
+  const glm::dvec3 n = glm::normalize(glm::dvec3{-s.x, -s.y, 1.0});
+  const double angle = std::max(std::acos(std::clamp(glm::dot(h, n), -1.0, 1.0)) - turns, 0.0);
+  const double most = std::pow(std::max(std::cos(angle), 0.0), lamp.shininess());
+  return lamp.specular() * (most - lamp.level_shine()) > kSeen * (1.0 - lamp.level_shine());
+}
+
 Outward LitSurface::outward(glm::dvec2 p) const {
   return area_ ? area_->outward(p - center_) : Outward{};
 }

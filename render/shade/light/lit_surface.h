@@ -52,6 +52,9 @@ class LitSurface {
   Outward outward(glm::dvec2 p, std::span<const Node> nodes) const;
   /// The profile's rise per pixel.
   double rise(int zone, double depth) const;
+  /// Whether a highlight that shows may lie within `reach` of p, so narrow that a few places do not see it: near a round
+  /// profile's outline, or at a steep dome's foot, it may be a hundredth of a pixel wide.
+  bool highlight_hides(int zone, glm::dvec2 p, const Outward& at, double reach) const;
   /// Rise per pixel at p: x right, y UP in the picture.
   glm::dvec2 slope(int zone, glm::dvec2 p, const Outward& outward) const;
   /// Premultiplied, in the blending space.
@@ -67,6 +70,7 @@ class LitSurface {
 
  private:
   Mix base(const LitPiece& piece, glm::dvec2 p, double d) const;
+  double turns_by(int zone, glm::dvec2 p, const Outward& at, double reach) const;
 
   const GridPaint* paint_ = nullptr;
   const AreaDistance *area_ = nullptr, *gradient_area_ = nullptr;

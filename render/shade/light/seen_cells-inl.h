@@ -140,6 +140,30 @@ struct SixteenCells {
   alignas(64) float away[16];  ///< [of the cell's side] how far the nearest ridge is
 };
 
+/// A highlight's peak between two depths under one normal, domes aside, where it is four times as bright as at the
+/// darker end: two depths may not see it. Else 0. n · halfway is (z + r a) / √(1 + r²) for a rise r: most for r = a / z.
+HWY_INLINE VF BellBetween(const LampLanes& lamp, VF nx, VF ny, VF shallow, VF deep) {
+  constexpr float kFalls = 2.0f;  // [powers of 2]
+  const F f;
+  const VF zero = hn::Zero(f), one = Const(1.0f), little = Const(1e-12f);
+  if (!(lamp.shine > 0.0f)) return zero;
+  const VF z = Const(lamp.halfway[2]), half_power = Const(0.5f * lamp.shininess);
+  const VF a = Fused(nx, Const(lamp.halfway[0]), hn::Mul(ny, Const(lamp.halfway[1])));
+  const VF most = hn::Max(Fused(a, a, hn::Mul(z, z)), little);
+  const auto square_of = [&](VF r) HWY_ATTR {
+    const VF along = hn::Max(Fused(r, a, z), zero);
+    return hn::Div(hn::Mul(along, along), Fused(r, r, one));
+  };
+  const VF r = RiseAt(lamp, shallow), s = RiseAt(lamp, deep), rz = hn::Mul(r, z),
+           sz = hn::Mul(s, z);
+  const VF least = hn::Max(hn::Min(square_of(r), square_of(s)), little);
+  const auto within = hn::And(hn::Le(hn::Min(rz, sz), a), hn::Le(a, hn::Max(rz, sz)));
+  const auto falls = hn::Gt(hn::Mul(half_power, Log2(hn::Div(most, least))), Const(kFalls));
+  const VF power = hn::Max(hn::Mul(half_power, Log2(most)), Const(-126.0f));
+  const VF peak = hn::Mul(Const(lamp.shine), Exp2(power));
+  return hn::IfThenElse(hn::And(within, falls), peak, zero);
+}
+
 /// The colour of cells at a round profile's outline, by two depths.
 HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const CellLanes& cell,
                           Shades& to) {
@@ -169,6 +193,7 @@ HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const Ce
     hn::Store(hn::Min(color.bounds[b], other.bounds[b]), f, to.bounds[b] + k);
     hn::Store(hn::Max(color.bounds[b], other.bounds[b]), f, to.upper[b] + k);
   }
+  hn::Store(BellBetween(tile.lamp, nx, ny, depth(first), depth(last)), f, to.bell + k);
 }
 
 // [of a cell's side] A straight ridge may run through it, and one that bends.
@@ -304,8 +329,7 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
   if (!first || tile.fine) return;
   constexpr float kBell = 32.0f;  // [of the tolerance] a highlight that shows
   // In linear light dark colours are encoded steeply, and what domes bend them by with them.
-  const Encoding& by = pixel.encoding;
-  const float steep = HWY_MAX(by.by[0], HWY_MAX(by.by[1], by.by[2]));
+  const float steep = pixel.encoding.most();
   pixel.bends = BendsInTheDark(tile, cells) || SideFor((pixel.bend - tile.lamp.bend) * steep,
                                                        pixel.seen, tile.tolerance) > pixel.side;
   if (!tile.rises) return;
@@ -314,16 +338,17 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
   const float turn = MostTurn(at.relief, cells.away);
   pixel.bends = pixel.bends || turn * turn > kTurn * tile.tolerance;
   if (!upright) return;
-  // Thinner than cells: depths are not spread from the outline on where a ridge ends them. And a highlight that rises by
-  // more than this power of 2 between two depths may be a bell between them.
+  // Thinner than cells: depths are not spread from the outline on where a ridge ends them. A highlight that rises by more
+  // than this power of 2 between two depths may be a bell between them.
   constexpr float kRises = 6.0f;
   for (size_t k = 0; k < 16; ++k) {
     if (!(cells.area[k] > 0.0f)) continue;
-    const float power = cells.shades.upper[1][k] + tile.lamp.level_power;
-    const bool bell =
-        cells.shades.upper[1][k] - cells.shades.bounds[1][k] > kRises &&
-        tile.lamp.shine * std::exp2(power) * steep * pixel.seen > kBell * tile.tolerance;
-    pixel.bends = pixel.bends || bell || at.relief.off[k] - at.relief.best.d[k] < kThin;
+    const Shades& s = cells.shades;
+    float bell = s.bell[k];
+    if (s.upper[1][k] - s.bounds[1][k] > kRises)
+      bell = HWY_MAX(bell, tile.lamp.shine * std::exp2(s.upper[1][k] + tile.lamp.level_power));
+    pixel.bends = pixel.bends || bell * steep * pixel.seen > kBell * tile.tolerance ||
+                  at.relief.off[k] - at.relief.best.d[k] < kThin;
   }
 }
 

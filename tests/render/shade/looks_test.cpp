@@ -88,6 +88,36 @@ TEST(Looks, MixAGroupInAGroupWithThatGroupAlone) {
   EXPECT_EQ(t.mix({0, 1}), (Mix{1, 0, 0, 1}));  // below the lens its group has nothing
 }
 
+/// Means by cells are then compared with those by larger ones.
+TEST(Looks, KnowLightUnderWhatFadesOrMixes) {
+  Relief relief{.area = {0}, .profile = Profile::bevel, .width = 0.1, .height = 0.05};
+  const auto gradient = [](double alpha) {
+    return shared(
+        Gradient{LinearGradient{{0, 0}, {1, 0}}, {{0, {1, 0, 0, 1}}, {1, {0, 0, 1, alpha}}}});
+  };
+  const auto is_product = [&](bool lit, double alpha, MixMode mode) {
+    SceneBuilder build = builder();
+    const Area disc = build.shape(Disc{{0.5, 0.5}, 0.4});
+    build.layer("below", disc, {{0.5, 0.5, 0.5, 1}, {}, lit ? shared(relief) : nullptr});
+    build.open_group("group", 1, {}, mode);
+    build.layer("over", build.shape(Disc{{0.5, 0.5}, 0.3}),
+                {.color = {1, 1, 1, 1}, .gradient = gradient(alpha)});
+    build.close_group();
+    Table t(std::move(build));
+    bool products = false;
+    for (int region = 0, outline = 0; outline < int(t.paints.programs.outlines().size());
+         ++outline) {
+      region = t.regions.across(region, outline);
+      products = products || t.looks.products(t.regions.look(region));
+    }
+    return products;
+  };
+  EXPECT_TRUE(is_product(true, 0.2, MixMode::normal));
+  EXPECT_TRUE(is_product(true, 1.0, MixMode::multiply));
+  EXPECT_FALSE(is_product(true, 1.0, MixMode::normal));
+  EXPECT_FALSE(is_product(false, 0.2, MixMode::normal));
+}
+
 TEST(Looks, ChangeAtTheStopsOfAGradient) {
   SceneBuilder build = builder();
   build.layer("ramp", build.everywhere(),

@@ -41,11 +41,11 @@ TEST(LitSurface, KnowsTheGradientOfItsDistance) {
 }
 
 /// A table whose only layer has that relief, 100 px a unit; the layer is its area, or everywhere.
-std::unique_ptr<PaintTable> table_of(const Relief& relief, bool own = true) {
+std::unique_ptr<PaintTable> table_of(const Relief& relief, bool own = true,
+                                     Color color = {1, 1, 1, 1}) {
   SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
   const Area disc = build.shape(Disc{{0, 0}, 0.5});  // area 0
-  build.layer("layer", own ? disc : build.everywhere(),
-              {.color = {1, 1, 1, 1}, .relief = shared(relief)});
+  build.layer("layer", own ? disc : build.everywhere(), {.color = color, .relief = shared(relief)});
   auto table = std::make_unique<PaintTable>();
   table->make(std::move(build).finish(), {.width = 200, .height = 200}, Depth::u8);
   return table;
@@ -95,6 +95,52 @@ TEST(LitSurface, AddsDomes) {  // C: the hook of the cornea's bulge
     EXPECT_NEAR(slope.y,
                 -(height(p + glm::dvec2{0, 1e-5}) - height(p - glm::dvec2{0, 1e-5})) / 2e-5, 1e-8);
   }
+}
+
+constexpr Color kDark{0.1, 0.1, 0.1, 1};
+
+/// By Gauss's four places and by many.
+TEST(LitSurface, KnowsWhereAHighlightMayHideFromAFewPlaces) {
+  Relief relief{.domes = {{.center = {0.1, 0.05}, .radii = {0.2, 0.1}, .height = 0.3}}};
+  relief.specular = 0.9, relief.shininess = 60;
+  const auto table = table_of(relief, true, kDark);
+  const LitSurface& surface = table->lit.at(0).surface();
+  constexpr double kHalf = 0.25, kGauss = 0.57735026918962576, kNear = 0.004;
+  int hidden = 0, missed = 0;
+  for (int i = 0; i < 12000; ++i) {
+    const glm::dvec2 middle{50.1 + 0.85 * (i % 120), 50.3 + i / 120};
+    const auto seen = [&](glm::dvec2 p) { return surface.color(0, middle + kHalf * p, {}).r; };
+    double few = 0, many = 0;
+    for (const double x : {-kGauss, kGauss})
+      for (const double y : {-kGauss, kGauss}) few += seen({x, y}) / 4;
+    constexpr int kMany = 16;
+    for (int k = 0; k < kMany * kMany; ++k)
+      many += seen((glm::dvec2{k % kMany, k / kMany} + 0.5) * (2.0 / kMany) - 1.0);
+    many /= kMany * kMany;
+    const bool hides = surface.highlight_hides(0, middle, {}, 1.4143 * kHalf);
+    hidden += hides, missed += std::abs(few - many) > kNear;
+    if (!hides) {
+      EXPECT_NEAR(few, many, kNear) << middle.x << ' ' << middle.y;
+    }
+  }
+  EXPECT_GT(missed, 0);
+  EXPECT_LT(hidden, 3000);
+}
+
+TEST(LitSurface, KnowsThatAHighlightMayHideAtARoundProfilesOutline) {
+  Relief relief{.area = {0}, .profile = Profile::round, .width = 0.3, .height = 0.007};
+  relief.specular = 0.9, relief.shininess = 60;
+  const auto table = table_of(relief, true, kDark);
+  const LitSurface& surface = table->lit.at(0).surface();
+  const glm::dvec3& h = surface.relief().lamp.halfway();
+  const glm::dvec2 to_lamp = glm::normalize(glm::dvec2{h.x, -h.y});  // y down
+  const auto hides = [&](glm::dvec2 way, double depth, double reach) {
+    const glm::dvec2 p = glm::dvec2{100, 100} + (50 - depth) * way;
+    return surface.highlight_hides(1, p, surface.outward(p), reach);
+  };
+  EXPECT_TRUE(hides(to_lamp, 0.1, 0.1));
+  EXPECT_FALSE(hides(to_lamp, 0.1, 0.001));
+  EXPECT_FALSE(hides(to_lamp, 10, 0.1));
 }
 
 }  // namespace
