@@ -104,13 +104,22 @@ int run(const ExactnessArguments& asked) {
   fmt::print("{:>4} {:6} {:12} {:>5} {:7} {:10} {:>8} {:>9} {:>6}  {}\n", "", "face", "pose",
              "size", "ground", "stored", "pixels", "worst", "over", "where");
   bool right = true;
+  long judged = 0, over = 0;
+  double worst[2] = {};  // of 255, and of 65535
   for (int i = asked.first - 1; i < int(list.size()); ++i) {
     if (i % asked.processes != asked.process) continue;
     const auto begin = std::chrono::steady_clock::now();
     const Tallies tallies = judge(list[std::size_t(i)], asked);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     right &= print(i + 1, list[std::size_t(i)], asked, tallies, took.count());
+    for (std::size_t k = 0; k < tallies.size(); ++k) {
+      judged += tallies[k].judged, over += tallies[k].over;
+      double& of_depth = worst[kStorages[k].top > 255];
+      of_depth = std::max(of_depth, tallies[k].worst);
+    }
   }
+  fmt::print("{} judged, {} over; worst {:.2f} of 255, {:.1f} of 65535\n", judged, over, worst[0],
+             worst[1]);
   return right ? 0 : 1;
 }
 
