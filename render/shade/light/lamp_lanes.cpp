@@ -77,15 +77,17 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
     to.bend += std::max(kDiffuse, LampLanes::kUsualBend * to.shine * to.shininess) /
                float(r.width * r.width);
   to.domes.clear(), to.finest = 1e9f;
+  const float leans = std::hypot(to.halfway[0], to.halfway[1]);
+  to.by_slope = 100.0f + 255.0f * to.shine * to.shininess * to.level_shine * leans;
   for (const GridRelief::GridDome& dome : r.domes) {
     const glm::dvec2 at = surface.center() + dome.center - middle;
     if (glm::length(at) > dome.max_radius + radius) continue;
     const glm::dmat2& u = dome.unit;
     const double steepest =
         std::max(u[0][0] * u[0][0] + u[1][0] * u[1][0], u[0][1] * u[0][1] + u[1][1] * u[1][1]);
-    // The slope's own slope jumps by 8 height / radius² there, and light by some 100 levels for a slope of 1.
+    // The slope's own slope jumps by 8 height / radius² there.
     constexpr double kSeen = 3.0;  // [levels/px²]
-    const bool shows = 800.0 * std::abs(dome.height) * steepest > kSeen;
+    const bool shows = 8.0 * double(to.by_slope) * std::abs(dome.height) * steepest > kSeen;
     to.domes.push_back({float(at.x), float(at.y), float(u[0][0]), float(u[1][0]), float(u[0][1]),
                         float(u[1][1]), float(-4.0 * dome.height),
                         shows ? float(0.5 / std::sqrt(steepest)) : 0.0f});

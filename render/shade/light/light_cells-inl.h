@@ -188,8 +188,9 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
 /// its middle.
 inline void LookAtCells(CellPixel& pixel, const CellGrid& grid, const CellList& list, int count,
                         OpenBy by, CellMean& mean, CellList& open) {
-  // [of the tolerance] Two depths leave a sixth of a highlight's peak at most.
-  constexpr float kBellOfCell = 0.3f;
+  // [of the tolerance] Two depths leave a sixth of a highlight's peak at most. [of what closes cells] Where that much is
+  // clamped, or jumps at a ridge, in one cell, no cell is taken for small.
+  constexpr float kBellOfCell = 0.3f, kMuch = 24.0f, kRidge = 3.3f;
   const LightTile& tile = pixel.tile;
   SixteenCells now;
   std::uint16_t which[16];
@@ -203,6 +204,7 @@ inline void LookAtCells(CellPixel& pixel, const CellGrid& grid, const CellList& 
     by.bell = kBellOfCell * tile.tolerance / pixel.encoding.most();
     const float kink = KinkAmong(tile, now.shades, now.area, 0.1f), jump = MostOf16(now.jump);
     mean.kink = HWY_MAX(mean.kink, kink), mean.jump = HWY_MAX(mean.jump, jump);
+    if (kink > kMuch * by.kink || jump > kMuch * kRidge * by.jump) pixel.bends = true;
     if (pixel.bends) by.small = false;
     if (by.small && kink <= by.kink && jump <= by.jump)
       mean.closed.add(now.shades, now.area, tile.channels);

@@ -60,11 +60,10 @@ float MostOf(const LightTile& tile, const float (&degree)[4], const LightTile::B
 /// Whether colours jump at a ridge within reach. Light changes by no more than the surface's normal does, and where the
 /// rise is 0, as on the spine of a stroke whose profile ends there, it goes on smoothly.
 bool RidgeShows(const LightTile& tile, const BranchPair& at, float reach) {
-  // [of the tolerance] Light changes by some 0.4 of what the slope does, and a step in a square's middle leaves a third
-  // of itself to a mean.
-  constexpr float kStep = 3.0f;
+  // [of the tolerance] A step in a square's middle leaves a third of itself to a mean.
+  constexpr float kStep = 1.2f;
   const LampLanes& lamp = tile.lamp;
-  const float most = kStep * tile.tolerance;
+  const float most = kStep * 255.0f * tile.tolerance / lamp.by_slope;
   for (int k = 0; k < 16; ++k) {
     if (at.off[k] >= reach) continue;
     const float along = at.ex[k] * at.best.nx[k] + at.ey[k] * at.best.ny[k];

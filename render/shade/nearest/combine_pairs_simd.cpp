@@ -14,40 +14,74 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The lesser of two distances, or with sign −1 the greater: the other one may take over on a ridge of its own.
-void TakeLeast(const BranchPair& a, const BranchPair& b, float sign, BranchPair& to) {
+using F = hn::CappedTag<float, 16>;
+using V = hn::Vec<F>;
+
+/// One branch, as lanes.
+struct Branch {
+  V d, nx, ny;
+};
+HWY_INLINE Branch Either(hn::Mask<F> second, const BranchPair::Values& a,
+                         const BranchPair::Values& b, int k) {
+  const F f;
+  const auto won = [&](const float* of_a, const float* of_b) HWY_ATTR {
+    return hn::IfThenElse(second, hn::Load(f, of_b + k), hn::Load(f, of_a + k));
+  };
+  return {won(a.d, b.d), won(a.nx, b.nx), won(a.ny, b.ny)};
+}
+
+/// Where another branch takes over from one, of a least distance or, with sign −1, of a greatest.
+struct Ridge {
+  V off, ex, ey;
+};
+HWY_INLINE Ridge RidgeBetween(const Branch& from, const Branch& to, float sign) {
   // [of |n − n'|²] Gradients as alike as that are one branch's.
   constexpr float kAlike = 4e-4f;
-  const hn::CappedTag<float, 16> f;
-  const auto times_sign = [&](auto v) HWY_ATTR { return hn::Mul(hn::Set(f, sign), v); };
+  const F f;
+  const V by = hn::Set(f, sign), alike = hn::Set(f, kAlike);
+  const V dx = hn::Mul(by, hn::Sub(from.nx, to.nx)), dy = hn::Mul(by, hn::Sub(from.ny, to.ny));
+  const V square = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
+  const V length = hn::Sqrt(hn::Max(square, alike)), over = hn::Div(hn::Set(f, 1.0f), length);
+  const V off = hn::Div(hn::Mul(by, hn::Sub(to.d, from.d)), length);
+  return {hn::IfThenElse(hn::Gt(square, alike), off, hn::Set(f, BranchPair::kFar)),
+          hn::Mul(dx, over), hn::Mul(dy, over)};
+}
+
+/// The lesser of two distances, or with sign −1 the greater: the other one may take over on a ridge of its own, by the
+/// branch that is its own here or, past its ridge, by the one beyond.
+void TakeLeast(const BranchPair& a, const BranchPair& b, float sign, BranchPair& to) {
+  const F f;
   for (int k = 0; k < BranchPair::kPlaces; k += int(hn::Lanes(f))) {
     const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
-    const auto ad = load(a.best.d), bd = load(b.best.d);
-    const auto second = hn::Lt(times_sign(bd), times_sign(ad));
+    const V by = hn::Set(f, sign);
+    const auto second = hn::Lt(hn::Mul(by, load(b.best.d)), hn::Mul(by, load(a.best.d)));
     const auto won = [&](const float* of_a, const float* of_b)
                          HWY_ATTR { return hn::IfThenElse(second, load(of_b), load(of_a)); };
-    const auto d = won(a.best.d, b.best.d), other = won(b.best.d, a.best.d);
-    const auto nx = won(a.best.nx, b.best.nx), ox = won(b.best.nx, a.best.nx);
-    const auto ny = won(a.best.ny, b.best.ny), oy = won(b.best.ny, a.best.ny);
-    const auto dx = times_sign(hn::Sub(nx, ox)), dy = times_sign(hn::Sub(ny, oy));
-    const auto square = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
-    const auto apart = hn::Gt(square, hn::Set(f, kAlike));
-    const auto length = hn::Sqrt(hn::Max(square, hn::Set(f, kAlike)));
-    const auto off = hn::IfThenElse(apart, hn::Div(times_sign(hn::Sub(other, d)), length),
-                                    hn::Set(f, BranchPair::kFar));
-    const auto own_off = won(a.off, b.off);
-    const auto crosses = hn::Lt(off, own_off);
-    const auto put = [&](float* v, auto crossing, const float* of_a, const float* of_b) HWY_ATTR {
-      hn::Store(hn::IfThenElse(crosses, crossing, won(of_a, of_b)), f, v + k);
-    };
-    const auto over = hn::Div(hn::Set(f, 1.0f), length);
-    put(to.ex, hn::Mul(dx, over), a.ex, b.ex), put(to.ey, hn::Mul(dy, over), a.ey, b.ey);
-    put(to.beyond.d, other, a.beyond.d, b.beyond.d);
-    put(to.beyond.nx, ox, a.beyond.nx, b.beyond.nx);
-    put(to.beyond.ny, oy, a.beyond.ny, b.beyond.ny);
-    hn::Store(hn::IfThenElse(crosses, off, own_off), f, to.off + k);
-    hn::Store(d, f, to.best.d + k);
-    hn::Store(nx, f, to.best.nx + k), hn::Store(ny, f, to.best.ny + k);
+    const Branch best = Either(second, a.best, b.best, k);
+    Branch other = Either(second, b.best, a.best, k),
+           beyond = Either(second, a.beyond, b.beyond, k);
+    const Branch past = Either(second, b.beyond, a.beyond, k);
+    Ridge ridge = RidgeBetween(best, other, sign);
+    const Ridge to_past = RidgeBetween(best, past, sign);
+    const V along =
+        hn::Add(hn::Mul(to_past.ex, won(b.ex, a.ex)), hn::Mul(to_past.ey, won(b.ey, a.ey)));
+    const auto is_past =
+        hn::And(hn::And(hn::Ge(to_past.off, hn::Zero(f)), hn::Lt(to_past.off, ridge.off)),
+                hn::Ge(hn::Mul(to_past.off, along), won(b.off, a.off)));
+    const auto take = [&](auto where, V from, V& v)
+                          HWY_ATTR { v = hn::IfThenElse(where, from, v); };
+    take(is_past, past.d, other.d), take(is_past, past.nx, other.nx);
+    take(is_past, past.ny, other.ny), take(is_past, to_past.off, ridge.off);
+    take(is_past, to_past.ex, ridge.ex), take(is_past, to_past.ey, ridge.ey);
+    Ridge own{won(a.off, b.off), won(a.ex, b.ex), won(a.ey, b.ey)};
+    const auto crosses = hn::Lt(ridge.off, own.off);
+    take(crosses, other.d, beyond.d), take(crosses, other.nx, beyond.nx);
+    take(crosses, other.ny, beyond.ny), take(crosses, ridge.off, own.off);
+    take(crosses, ridge.ex, own.ex), take(crosses, ridge.ey, own.ey);
+    const auto put = [&](V v, float* at) HWY_ATTR { hn::Store(v, f, at + k); };
+    put(best.d, to.best.d), put(best.nx, to.best.nx), put(best.ny, to.best.ny);
+    put(beyond.d, to.beyond.d), put(beyond.nx, to.beyond.nx), put(beyond.ny, to.beyond.ny);
+    put(own.off, to.off), put(own.ex, to.ex), put(own.ey, to.ey);
   }
 }
 

@@ -77,5 +77,34 @@ TEST(CombinePairs, ANearerRidgeOfTheOtherOperandCounts) {
   EXPECT_FLOAT_EQ(made.beyond.d[0], -0.5f);
 }
 
+/// A stroke cut by a line along it: of both distances the greater. At x = 0, left of the spine, the line counts; the
+/// stroke takes over past its spine, by its other side, and never by the one that is its own here.
+TEST(CombinePairs, TheOtherOperandMayTakeOverPastItsOwnRidge) {
+  BranchPair line{}, stroke{};
+  for (int i = 0; i < BranchPair::kPlaces; ++i) {
+    line.off[i] = BranchPair::kFar;
+    line.best.d[i] = -0.19f, line.best.nx[i] = -1;  // −0.19 − x
+    // |x − 0.01| − 0.234
+    stroke.best.d[i] = -0.224f, stroke.best.nx[i] = -1;
+    stroke.beyond.d[i] = -0.244f, stroke.beyond.nx[i] = 1;
+    stroke.off[i] = 0.01f, stroke.ex[i] = 1;
+  }
+  for (const bool swapped : {false, true}) {
+    BranchPair made;
+    combine_pairs(Op::intersect, swapped ? stroke : line, swapped ? line : stroke, 0.0f, made);
+    EXPECT_FLOAT_EQ(made.best.d[0], -0.19f);
+    EXPECT_NEAR(made.off[0], 0.027f, 1e-6f);
+    EXPECT_FLOAT_EQ(made.ex[0], 1.0f);
+    EXPECT_FLOAT_EQ(made.beyond.d[0], -0.244f);
+    EXPECT_FLOAT_EQ(made.beyond.nx[0], 1.0f);
+  }
+  // Farther from its spine than from the line's reach the stroke's other side is not its own yet.
+  for (int i = 0; i < BranchPair::kPlaces; ++i)
+    stroke.best.d[i] = -0.2f, stroke.beyond.d[i] = -0.3f, stroke.off[i] = 0.1f;
+  BranchPair made;
+  combine_pairs(Op::intersect, line, stroke, 0.0f, made);
+  EXPECT_GT(made.off[0], 1e6f);
+}
+
 }  // namespace
 }  // namespace mien
