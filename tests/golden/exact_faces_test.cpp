@@ -246,7 +246,7 @@ TEST(ExactLitScenes, ThatWereWrongOnceAreRight) {
         {900818, 17, 14},      {960419, 14, 23},  {960785, 16, 36}, {960785, 15, 35},
         {2000221, 7, 2},       {2000677, 11, 13}, {2000715, 0, 3},  {3000232, 14, 1},
         {3000971, 35, 37},     {3001283, 15, 7},  {3001470, 2, 6},  {3001644, 4, 6},
-        {3002069, 22, 14},     {3002193, 2, 7}}) {
+        {3002069, 22, 14},     {3002560, 0, 1},   {2000766, 0, 5},  {3002193, 2, 7}}) {
     const Scene scene = test::random_lit_scene(p.seed);
     const int side = p.seed % 3 == 0 ? 9 : p.seed % 3 == 1 ? 17 : 40;
     const View view{.width = side, .height = side, .dither = false};

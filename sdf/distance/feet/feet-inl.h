@@ -186,11 +186,17 @@ HWY_INLINE VF KeyAt(const BranchLanes& c, VF x, VF y, VF t) {
   return hn::Sub(away, Fused(t, Fused(t, c.w2, c.w1), c.w0));
 }
 
-/// t, or an end or the middle of the stretch if that is nearer: a stretch that is not proven to have one foot may have a
-/// least distance at an end beside the one within.
+/// t, or an end or some other place of the stretch if that is nearer: a stretch that is not proven to have one foot may
+/// have a least distance at an end, or where it was cut, beside the one within. What goes on beyond the stretch, 0 to 1,
+/// is asked farther and farther away.
 HWY_INLINE VF BestStart(const BranchLanes& c, VF x, VF y, VF t) {
+  constexpr float kOn = 0.5f, kBeyond = 1.5f, kFar = 3.5f;
+  const F f;
+  const auto held = [&](float v)
+                        HWY_ATTR { return hn::Min(hn::Max(hn::Set(f, v), c.low), c.high); };
   VF least = KeyAt(c, x, y, t);
-  for (const VF start : {c.low, hn::Mul(hn::Set(F(), 0.5f), hn::Add(c.low, c.high)), c.high}) {
+  for (const VF start : {c.low, held(1.0f - kFar), held(1.0f - kBeyond), held(kOn), held(kBeyond),
+                         held(kFar), hn::Mul(hn::Set(f, 0.5f), hn::Add(c.low, c.high)), c.high}) {
     const VF own = KeyAt(c, x, y, start);
     const auto nearer = hn::Lt(own, least);
     t = hn::IfThenElse(nearer, start, t), least = hn::Min(own, least);

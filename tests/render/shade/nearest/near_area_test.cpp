@@ -69,6 +69,35 @@ TEST(NearArea, DistancesAreTheAreasOwn) {
   });
 }
 
+/// Behind its begin a spine turns at once, and widens: a place beside it has the begin, held, and a foot on the far side
+/// of the turn, which is nearer. Where both are equally near to within that either may be told.
+TEST(NearArea, FeetPastATurnAreFound) {
+  test::on_every_set([] {
+    SceneBuilder scene({.box = {{0, 0}, {48, 48}}}, {1, 1, 1, 1});
+    const glm::dvec2 middle{16, 16};
+    const TaperedStroke stroke{
+        {middle + glm::dvec2{0.712, 1.157}, middle + glm::dvec2{1.329, 0.084},
+         middle + glm::dvec2{9.030, 13.653}},
+        {0.2087, 0.5602, 0.4614}};
+    const Area area = scene.shape(stroke);
+    const AreaDistance distance(std::move(scene).finish(), area, {});
+    const FeetArea feet(distance, {0, 0});
+    CellScratch scratch;
+    LightGround ground;
+    LightTile tile;
+    set_distance(feet, ground, scratch, tile);
+    test::SeenCells seen;
+    seen.cells = whole_cells(32);
+    for (const auto& [i, j] : {std::pair{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}}) {
+      colors_of_cells(tile, i, j, seen.cells,
+                      {seen.c[0].data(), seen.c[1].data(), seen.c[2].data(), seen.c[3].data()});
+      for (std::size_t q = 0; q < 1024; ++q)
+        EXPECT_NEAR(told(seen.c[3][q]), distance.at(test::place(seen, i, j, q)), 4e-3)
+            << i << ' ' << j;
+    }
+  });
+}
+
 /// Of the fold |d| - amount the farther end of a range counts.
 TEST(NearArea, LeavesOutOnlyWhatIsFartherThanTheWholeRange) {
   SceneBuilder scene({.box = {{0, 0}, {48, 48}}}, {1, 1, 1, 1});
