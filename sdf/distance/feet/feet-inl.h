@@ -186,6 +186,18 @@ HWY_INLINE VF KeyAt(const BranchLanes& c, VF x, VF y, VF t) {
   return hn::Sub(away, Fused(t, Fused(t, c.w2, c.w1), c.w0));
 }
 
+/// t, or an end of the stretch if that is nearer: beyond the vertex of a half that ends before it a place may have a least
+/// distance at the end, beside the one within.
+HWY_INLINE VF OrEnd(const BranchLanes& c, VF x, VF y, VF t) {
+  VF least = KeyAt(c, x, y, t);
+  for (const VF end : {c.low, c.high}) {
+    const VF own = KeyAt(c, x, y, end);
+    const auto nearer = hn::Lt(own, least);
+    t = hn::IfThenElse(nearer, end, t), least = hn::Min(own, least);
+  }
+  return t;
+}
+
 /// t, or an end or some other place of the stretch if that is nearer: a stretch that is not proven to have one foot may
 /// have a least distance at an end, or where it was cut, beside the one within. What goes on beyond the stretch, 0 to 1,
 /// is asked farther and farther away.
@@ -235,7 +247,7 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     t = hn::Min(hn::Max(t, c.low), c.high);
     const auto single = hn::Gt(at_row(Branches::single), zero);
     if (!hn::AllTrue(f, single)) {
-      const VF start = FootOnHalf(c, x, y);
+      const VF start = OrEnd(c, x, y, FootOnHalf(c, x, y));
       const auto tapers = hn::Lt(at_row(Branches::single), zero);
       t = hn::IfThenElse(single, t, hn::IfThenElse(tapers, BestStart(c, x, y, t), start));
     }
@@ -333,7 +345,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
                Fused(hn::Sub(y, set(cy)), set(feet.y[k]), set(feet.t[k])));
   t = hn::Min(hn::Max(t, c.low), c.high);
   const float single = b.row(Branches::single)[k];
-  if (single == 0.0f) t = FootOnHalf(c, x, y);
+  if (single == 0.0f) t = OrEnd(c, x, y, FootOnHalf(c, x, y));
   const VF bend2 = hn::Mul(set(9.0f), Fused(c.x2, c.x2, Fused(c.y2, c.y2, hn::Mul(c.w2, c.w2))));
   constexpr int kMostSteps = 8;
   // Each place by itself, so that vectors of any width take the same steps.

@@ -98,6 +98,25 @@ TEST(NearArea, FeetPastATurnAreFound) {
   });
 }
 
+/// Far beyond the vertex of a side, which lies before its end, places have a least distance at the end and one within.
+TEST(NearArea, EndsOfSidesCountBesideTheirFeet) {
+  test::on_every_set([] {
+    SceneBuilder scene({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+    const glm::dvec2 a{-0.6088, -0.3561}, b{-0.3570, 0.7939}, c{-0.0967, 0.9455};
+    const Path path{
+        {{{{a, {-0.1946, 0.3701}, b}, {b, 0.5 * (b + c), c}, {c, {0.9002, -0.2023}, a}}}},
+        FillRule::nonzero};
+    const Area area = scene.shape(path);
+    const Scene made = std::move(scene).finish();
+    for (const double turn : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) {
+      const glm::dmat2 linear =
+          8.5 * glm::dmat2{std::cos(turn), std::sin(turn), -std::sin(turn), std::cos(turn)};
+      for (const glm::dvec2 shift : {glm::dvec2{24, 24}, {14, 24}, {34, 24}, {24, 14}, {24, 34}})
+        expect_distances(AreaDistance(made, area, {linear, shift}), "a path");
+    }
+  });
+}
+
 /// Of the fold |d| - amount the farther end of a range counts.
 TEST(NearArea, LeavesOutOnlyWhatIsFartherThanTheWholeRange) {
   SceneBuilder scene({.box = {{0, 0}, {48, 48}}}, {1, 1, 1, 1});
