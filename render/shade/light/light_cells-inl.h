@@ -190,7 +190,7 @@ inline void LookAtCells(CellPixel& pixel, const CellGrid& grid, const CellList& 
                         OpenBy by, CellMean& mean, CellList& open) {
   // [of the tolerance] Two depths leave a sixth of a highlight's peak at most. [of what closes cells] Where that much is
   // clamped, or jumps at a ridge, in one cell, no cell is taken for small.
-  constexpr float kBellOfCell = 0.3f, kMuch = 24.0f, kRidge = 3.3f;
+  constexpr float kBellOfCell = 0.3f, kMuch = 36.0f, kRidge = 3.3f;
   const LightTile& tile = pixel.tile;
   SixteenCells now;
   std::uint16_t which[16];

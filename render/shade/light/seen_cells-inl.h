@@ -336,7 +336,7 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
   // Light changes by some 100 levels with a normal that turns by one radian: a cell leaves 4 levels times the turn².
   constexpr float kTurn = 1.5f * 255 / 4;
   const float turn = MostTurn(at.relief, cells.away);
-  pixel.bends = pixel.bends || turn * turn * tile.lamp.by_slope > 100.0f * kTurn * tile.tolerance;
+  pixel.bends = pixel.bends || turn * turn > kTurn * tile.tolerance;
   if (!upright) return;
   // Thinner than cells: depths are not spread from the outline on where a ridge ends them. A highlight that rises by more
   // than this power of 2 between two depths may be a bell between them.
