@@ -1,4 +1,6 @@
-// mien_fuzz_time: random small faces of every kind of feature, drawn as long as one likes: none may take too long.
+// mien_fuzz_time: random small faces of every kind of feature, or people at poses, drawn as long as one likes: none may
+// take too long.
+#include <mien/composed_face.h>
 #include <mien/face_file.h>
 #include <mien/pose.h>
 #include <mien/render.h>
@@ -21,10 +23,11 @@ namespace mien::test {
 namespace {
 
 constexpr const char* kUse =
-    "mien_fuzz_time [--first N] [--count N] [--minutes N] [--most SECONDS] [SEED …]\n"
-    "Draws random small faces by their seeds at 16 to 256 px, at 8 and 16 bits, on one thread. "
-    "Prints the ten\n"
-    "slowest. Ends with 1 if one takes longer than --most (10), or is refused without a limit's "
+    "mien_fuzz_time [--people] [--first N] [--count N] [--minutes N] [--most SECONDS] [SEED …]\n"
+    "Draws random small faces by their seeds at 16 to 256 px, at 8 and 16 bits, on one thread; or "
+    "people of\n"
+    "every style, turned, blinking and with feelings. Prints the ten slowest. Ends with 1 if one "
+    "takes longer than --most (10), or is refused without a limit's "
     "name.\n";
 
 using Text = std::string;
@@ -179,24 +182,54 @@ struct Drawn {
   Text error;
 };
 
+void draw_posed(const Face& face, const Pose& pose, Depth depth, Drawn& drawn) {
+  RenderStats stats;
+  const auto image =
+      render(scene_from_face(pose_face(face, pose)), {.width = drawn.side, .height = drawn.side},
+             {.depth = depth, .threads = {.count = 1}}, &stats);
+  if (!image) drawn.error = image.error().what;
+  drawn.steps = stats.steps, drawn.memory = stats.memory;
+}
+
 /// Faces that are refused when read count as drawn at once.
-Drawn draw(long seed) {
-  FaceDice dice(std::uint64_t(seed) * 0x9e3779b97f4a7c15u);
+void draw_face(FaceDice& dice, Drawn& drawn) {
   const Text text = dice.face();
   if (std::getenv("MIEN_FUZZED_FACE")) std::puts(text.c_str());
-  Drawn drawn{seed, dice.side(), 0, 0, 0, {}};
-  const std::clock_t began = std::clock();  // of the processor: others may use it, too
-  const auto face = read_face_text(text, "dice");
-  if (face) {
-    RenderStats stats;
-    const auto image =
-        render(scene_from_face(pose_face(*face, {})), {.width = drawn.side, .height = drawn.side},
-               {.depth = dice.depth(), .threads = {.count = 1}}, &stats);
-    if (!image) drawn.error = image.error().what;
-    drawn.steps = stats.steps, drawn.memory = stats.memory;
-  } else if (std::getenv("MIEN_FUZZED_FACE")) {
+  drawn.side = dice.side();
+  if (const auto face = read_face_text(text, "dice"))
+    draw_posed(*face, {}, dice.depth(), drawn);
+  else if (std::getenv("MIEN_FUZZED_FACE"))
     std::puts(sentence(face.error()).c_str());
-  }
+}
+
+/// A person of some style, turned, with a feeling, lids somewhere.
+void draw_person(FaceDice& dice, Random& random, Drawn& drawn) {
+  Recipe recipe = recipe_from_seed(seed_from_word(fmt::format("time/{}", drawn.seed)));
+  const std::vector<Text> styles = part_styles();
+  recipe.style = styles[std::size_t(random.below(int(styles.size())))];
+  const Face face = face_from_recipe(recipe).value();
+  Pose pose;
+  const auto set = [&](const Text& name, double value) {
+    pose.settings.push_back(read_setting(face, fmt::format("{}={}", name, value)).value());
+  };
+  set("yaw", random.between(-30, 30)), set("pitch", random.between(-25, 25));
+  set("roll", random.between(-20, 20)), set("blink", random.unit());
+  for (const char* feeling : {"joy", "sadness", "anger", "fear", "disgust", "surprise"})
+    if (random.chance(0.2)) set(fmt::format("emotion.{}", feeling), random.unit());
+  drawn.side = dice.side();
+  draw_posed(face, pose, dice.depth(), drawn);
+}
+
+Drawn draw(long seed, bool people) {
+  const std::uint64_t word = std::uint64_t(seed) * 0x9e3779b97f4a7c15u;
+  FaceDice dice(word);
+  Random random(word);
+  Drawn drawn{seed, 0, 0, 0, 0, {}};
+  const std::clock_t began = std::clock();  // of the processor: others may use it, too
+  if (people)
+    draw_person(dice, random, drawn);
+  else
+    draw_face(dice, drawn);
   drawn.seconds = double(std::clock() - began) / CLOCKS_PER_SEC;
   return drawn;
 }
@@ -204,6 +237,7 @@ Drawn draw(long seed) {
 struct Asked {
   long first = 1, count = 1'000'000'000;
   double minutes = 1e9, most = 10;
+  bool people = false;
   std::vector<long> seeds;
 };
 
@@ -211,7 +245,9 @@ bool read(int count, char** words, Asked& asked) {
   for (int i = 1; i < count; ++i) {
     const Text name = words[i];
     char* end = nullptr;
-    if (name.starts_with("--") && i + 1 < count) {
+    if (name == "--people") {
+      asked.people = true;
+    } else if (name.starts_with("--") && i + 1 < count) {
       const double value = std::strtod(words[++i], &end);
       if (*end) return false;
       if (name == "--first")
@@ -239,7 +275,7 @@ int run(const Asked& asked) {
   long count = 0, limits = 0;
   bool all_well = true;
   const auto add = [&](long seed) {
-    const Drawn drawn = draw(seed);
+    const Drawn drawn = draw(seed, asked.people);
     ++count;
     const bool limited = drawn.error.find("(limit `") != Text::npos;
     limits += limited;
