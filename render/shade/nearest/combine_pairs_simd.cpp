@@ -60,20 +60,24 @@ void TakeLeast(const BranchPair& a, const BranchPair& b, float sign, BranchPair&
     const Branch best = Either(second, a.best, b.best, k);
     Branch other = Either(second, b.best, a.best, k),
            beyond = Either(second, a.beyond, b.beyond, k);
-    const Branch past = Either(second, b.beyond, a.beyond, k);
     Ridge ridge = RidgeBetween(best, other, sign);
-    const Ridge to_past = RidgeBetween(best, past, sign);
-    const V along =
-        hn::Add(hn::Mul(to_past.ex, won(b.ex, a.ex)), hn::Mul(to_past.ey, won(b.ey, a.ey)));
-    const auto is_past =
-        hn::And(hn::And(hn::Ge(to_past.off, hn::Zero(f)), hn::Lt(to_past.off, ridge.off)),
-                hn::Ge(hn::Mul(to_past.off, along), won(b.off, a.off)));
+    Ridge own{won(a.off, b.off), won(a.ex, b.ex), won(a.ey, b.ey)};
     const auto take = [&](auto where, V from, V& v)
                           HWY_ATTR { v = hn::IfThenElse(where, from, v); };
-    take(is_past, past.d, other.d), take(is_past, past.nx, other.nx);
-    take(is_past, past.ny, other.ny), take(is_past, to_past.off, ridge.off);
-    take(is_past, to_past.ex, ridge.ex), take(is_past, to_past.ey, ridge.ey);
-    Ridge own{won(a.off, b.off), won(a.ex, b.ex), won(a.ey, b.ey)};
+    // A ridge past the other's own one is farther than that.
+    const V turns = won(b.off, a.off);
+    if (!hn::AllFalse(f, hn::Lt(turns, hn::Min(ridge.off, own.off)))) {
+      const Branch past = Either(second, b.beyond, a.beyond, k);
+      const Ridge to_past = RidgeBetween(best, past, sign);
+      const V along =
+          hn::Add(hn::Mul(to_past.ex, won(b.ex, a.ex)), hn::Mul(to_past.ey, won(b.ey, a.ey)));
+      const auto is_past =
+          hn::And(hn::And(hn::Ge(to_past.off, hn::Zero(f)), hn::Lt(to_past.off, ridge.off)),
+                  hn::Ge(hn::Mul(to_past.off, along), turns));
+      take(is_past, past.d, other.d), take(is_past, past.nx, other.nx);
+      take(is_past, past.ny, other.ny), take(is_past, to_past.off, ridge.off);
+      take(is_past, to_past.ex, ridge.ex), take(is_past, to_past.ey, ridge.ey);
+    }
     const auto crosses = hn::Lt(ridge.off, own.off);
     take(crosses, other.d, beyond.d), take(crosses, other.nx, beyond.nx);
     take(crosses, other.ny, beyond.ny), take(crosses, ridge.off, own.off);
