@@ -24,11 +24,9 @@ namespace {
 
 constexpr const char* kUse =
     "mien_fuzz_time [--people] [--first N] [--count N] [--minutes N] [--most SECONDS] [SEED …]\n"
-    "Draws random small faces by their seeds at 16 to 256 px, at 8 and 16 bits, on one thread; or "
-    "people of\n"
-    "every style, turned, blinking and with feelings. Prints the ten slowest. Ends with 1 if one "
-    "takes longer than --most (10), or is refused without a limit's "
-    "name.\n";
+    "Draws random small faces, or people of every style, turned, blinking and with feelings, by\n"
+    "their seeds at 16 to 256 px, at 8 and 16 bits, on one thread. Prints the ten slowest. Ends\n"
+    "with 1 if one takes longer than --most (10), or is refused without a limit's name.\n";
 
 using Text = std::string;
 

@@ -39,8 +39,8 @@ struct LampLanes {
   float shine = 0;                            ///< specular / (1 − level_shine); 0: none
   float level_shine = 0, level_power = -126;  ///< and the power of 2 that it is
   float shininess = 1;
-  float by_slope =
-      100;  ///< [levels] what a slope of 1 changes light by, if it went on as it begins from none
+  /// [levels] What a slope of 1 changes light by, if it went on as it begins from none.
+  float by_slope = 100;
   std::vector<LampDome> domes;  ///< that reach the tile
   float finest =
       1e9f;  ///< [px] half the width of the narrowest dome, or of the narrowest highlight on one

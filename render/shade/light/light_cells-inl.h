@@ -188,7 +188,7 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
 /// its middle.
 inline void LookAtCells(CellPixel& pixel, const CellGrid& grid, const CellList& list, int count,
                         OpenBy by, CellMean& mean, CellList& open) {
-  // [of the tolerance] Two depths leave a sixth of a highlight's peak at most. [of what closes cells] Where that much is
+  // [of the tolerance] Two depths leave a quarter of a highlight's peak at most. [of what closes cells] Where that much is
   // clamped, or jumps at a ridge, in one cell, no cell is taken for small.
   constexpr float kBellOfCell = 0.3f, kMuch = 36.0f, kRidge = 3.3f;
   const LightTile& tile = pixel.tile;
