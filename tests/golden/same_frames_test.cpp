@@ -60,9 +60,9 @@ class Wishes {
 
  private:
   void begin() {
-    constexpr int kSmaller = test::kSanitized ? 2 : 1;
-    view.width = (60 + 7 * random_.below(6)) / kSmaller;
-    view.height = taller_ * (50 + 5 * random_.below(6)) / kSmaller;
+    constexpr int kNarrower = test::kSanitized ? 2 : 1;
+    view.width = (60 + 7 * random_.below(6)) / kNarrower;
+    view.height = taller_ * (50 + 5 * random_.below(6));
   }
   const int taller_;
   test::Random& random_;
