@@ -40,6 +40,13 @@ static mien_effects* effects_of(const char* one, const char* other) {
   return effects;
 }
 
+/* Keeps the most that is told. */
+static int32_t keep_most(double done, void* data) {
+  double* most = data;
+  if (!(done <= *most)) *most = done;
+  return 0;
+}
+
 static int32_t stop(double done, void* data) {
   (void)done, (void)data;
   return 1;
@@ -111,6 +118,24 @@ static void test_drawn(mien_renderer* renderer, const mien_scene* scene) {
   free(plain), free(with), free(by), free(bytes), free(part);
 }
 
+/* Rows above a region are drawn too, and a strip goes on below it: progress ends at 1 nevertheless. */
+static void test_progress(mien_renderer* renderer, const mien_scene* scene) {
+  mien_error* error = NULL;
+  unsigned char part[kWide * 4 * 4];
+  mien_pixels some = bytes_in(part, kWide, 4);
+  mien_view view = wide_view();
+  mien_effects* effects = effects_of("grid:7", NULL);
+  mien_render_options options;
+  double most = 0;
+  mien_render_options_init(&options, sizeof options);
+  options.progress = keep_most, options.progress_data = &most;
+  view.has_region = 1;
+  view.region[0] = 0, view.region[1] = 6, view.region[2] = kWide, view.region[3] = 4;
+  OK(mien_render_with_effects(renderer, scene, &view, effects, &some, &options, &error));
+  CHECK(most > 0.5 && most <= 1);
+  mien_effects_free(effects);
+}
+
 /* A mosaic of one tile is the mean of a picture. */
 static void test_own_picture(void) {
   mien_error* error = NULL;
@@ -165,6 +190,7 @@ void test_effects(void) {
   mien_renderer* renderer = NULL;
   OK(mien_renderer_new(&renderer, &error));
   test_drawn(renderer, scene);
+  test_progress(renderer, scene);
   test_own_picture();
   test_lists();
   mien_renderer_free(renderer), mien_scene_free(scene);

@@ -105,6 +105,19 @@ TEST_F(PartGeometryTest, BesideSeveralPointsAndWithEachOfThem) {
   EXPECT_EQ(geometry_->rides(found)[1].weight, 0.25);
 }
 
+TEST_F(PartGeometryTest, NumbersStayWithinTheirLimits) {
+  const auto scalar = [&](const std::string& text, std::map<std::string, double> numbers = {}) {
+    point("[0, 0]", std::move(numbers));
+    const auto tree = JsonTree::read(text, "test", limits_);
+    return geometry_->scalar(Reading(*tree, limits_, nullptr), tree->root(), "nose");
+  };
+  const char* text = R"({"is": 2, "adds": {"size": 3}, "least": 1, "most": 4})";
+  EXPECT_EQ(scalar(text), 2);
+  EXPECT_EQ(scalar(text, {{"size", 1.5}}), 3.5);
+  EXPECT_EQ(scalar(text, {{"size", 0.5}}), 1);
+  EXPECT_EQ(scalar(text, {{"size", 2}}), 4);
+}
+
 TEST_F(PartGeometryTest, UnknownNamesHaveANearestOne) {
   const auto what = [&](const std::string& text) -> std::string {
     try {

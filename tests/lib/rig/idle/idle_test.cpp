@@ -49,6 +49,21 @@ TEST(Idle, BlinksAsOftenAsPeopleDo_EachInTimeOfTheirOwn) {
   EXPECT_NEAR(double(sum) / 100, 17, 4) << "a minute";
 }
 
+/// One blink in twelve or so is no whole one.
+TEST(Idle, AFewBlinksShutLidsHalf) {
+  int all = 0, half = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    double deepest = 0;
+    for (int ms = 0; ms < 60'000; ms += 10) {
+      const double shut = part(IdlePart::blink_right, seed, ms / 1000.0);
+      if (shut == 0 && deepest > 0) ++all, half += deepest < 0.8;
+      deepest = shut == 0 ? 0 : std::max(deepest, shut);
+    }
+  }
+  EXPECT_GT(all, 400);
+  EXPECT_NEAR(double(half) / all, 0.08, 0.03);
+}
+
 /// Which 9 of 299 steps of a film of 10 s move a face most: what its pixels change by, about, at 96 pixels.
 std::array<bool, 299> largest_moves_of(std::uint64_t seed) {
   std::array<double, 299> moves;

@@ -80,6 +80,12 @@ TEST(LipLine, MeetsTheTeeth) {
   EXPECT_NEAR(between.lower[1].y, teeth.y(0) - 0.036, 1e-12);
 }
 
+/// Numbers that go beyond 1 part the lips farther, and do not carry them past where the tongue lies.
+TEST(LipLine, ATongueBeyondItsWholeIsNotDoubled) {
+  const TeethEdge teeth{{0.25, -0.02}, {0, -0.06}, {-0.25, -0.02}};
+  EXPECT_NEAR(shaped({.tongue_between = 2}, teeth).lower[1].y, teeth.y(0) - 2 * 0.036, 1e-12);
+}
+
 TEST(LipLine, KnowsItsLength) {
   const LipLine rest = resting();
   EXPECT_NEAR(edge_length(rest, true, 0), 0.2018, 0.001);

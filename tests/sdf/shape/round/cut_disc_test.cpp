@@ -34,4 +34,15 @@ TEST(CutDisc, IsTheDistanceToItsSampledOutline) {
   }
 }
 
+/// A chord beyond the circle cuts nothing, and makes no box larger.
+TEST(CutDisc, IsBoundedByItsCircleWhereNoChordCuts) {
+  for (const glm::dvec2 up : {glm::dvec2{0, 1}, glm::dvec2{-1, 0}}) {
+    const Box2 box = bounds(CutDisc{{0.2, -0.3}, 1.5, 3, 2, up});
+    for (const int i : {0, 1}) {
+      EXPECT_NEAR(box.lo[i], (i ? -0.3 : 0.2) - 1.5, 1e-12);
+      EXPECT_NEAR(box.hi[i], (i ? -0.3 : 0.2) + 1.5, 1e-12);
+    }
+  }
+}
+
 }  // namespace mien::test
