@@ -17,8 +17,8 @@
 #include <random>
 #include <thread>
 
-#include "tests/support/sample_image.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/pictures/sample_image.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace fs = std::filesystem;

@@ -126,8 +126,8 @@ class House:
                 self.breach(name, number, "a library prints nothing and ends nothing")
             if name.startswith(LIBRARIES) and name != "lib/base/watch.h" and re.search(r"\bthread_local\b", code_of(line)):
                 self.breach(name, number, "scratch belongs to an object of the thread's, which ends with the work")
-            if re.search(r"\bkill\(", line) and name != "tests/support/end_process.h":
-                self.breach(name, number, "kill(-1) ends every process there is: use tests/support/end_process.h")
+            if re.search(r"\bkill\(", line) and name != "tests/support/process/end_process.h":
+                self.breach(name, number, "kill(-1) ends every process there is: use tests/support/process/end_process.h")
 
     def check_include(self, name, number, include, quoted):
         in_mirror = name.split("/")[0] in MIRRORS

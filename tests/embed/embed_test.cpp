@@ -15,8 +15,8 @@
 #include <thread>
 #include <vector>
 
-#include "tests/support/face_path.h"
-#include "tests/support/rendered.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/pictures/rendered.h"
 
 namespace mien {
 namespace {

@@ -24,9 +24,9 @@
 #include <optional>
 #include <string>
 
-#include "tests/support/face_path.h"
-#include "tests/support/failing_malloc.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/process/failing_malloc.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/exact_windows.h"
+#include "tests/support/exact/exact_windows.h"
 
 namespace mien::test {
 

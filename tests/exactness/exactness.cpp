@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "tests/exactness/arguments.h"
-#include "tests/support/exact_truth.h"
-#include "tests/support/exact_windows.h"
-#include "tests/support/faces.h"
-#include "tests/support/sample_poses.h"
+#include "tests/support/exact/exact_truth.h"
+#include "tests/support/exact/exact_windows.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/faces/sample_poses.h"
 
 namespace mien::test {
 namespace {

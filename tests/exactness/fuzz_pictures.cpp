@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "tests/support/fuzzed_picture.h"
+#include "tests/support/random/fuzzed_picture.h"
 
 namespace mien::test {
 namespace {

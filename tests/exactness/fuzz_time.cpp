@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 namespace {

@@ -10,7 +10,7 @@
 #include <mien/render.h>
 #include <mien/view.h>
 #include "render/rows/crowd.h"
-#include "tests/support/hostile_scenes.h"
+#include "tests/support/scenes/hostile_scenes.h"
 
 #include <fmt/format.h>
 

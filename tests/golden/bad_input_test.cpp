@@ -12,10 +12,10 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/support/effort.h"
-#include "tests/support/fuzzed_picture.h"
-#include "tests/support/random.h"
-#include "tests/support/rendered.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/fuzzed_picture.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 namespace {

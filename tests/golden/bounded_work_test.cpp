@@ -14,8 +14,8 @@
 #include <ctime>
 #include <optional>
 
-#include "tests/support/hostile_scenes.h"
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
+#include "tests/support/scenes/hostile_scenes.h"
 
 namespace mien::test {
 namespace {

@@ -19,10 +19,10 @@
 
 #include "lib/base/mixed_bits.h"
 #include "sdf/distance/instruction_sets.h"
-#include "tests/support/exact_compare.h"
-#include "tests/support/faces.h"
-#include "tests/support/rendered.h"
-#include "tests/support/sample_poses.h"
+#include "tests/support/exact/exact_compare.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/faces/sample_poses.h"
+#include "tests/support/pictures/rendered.h"
 
 namespace mien {
 namespace {

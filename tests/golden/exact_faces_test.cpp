@@ -16,15 +16,15 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/asked.h"
-#include "tests/support/changed_scene.h"
-#include "tests/support/effort.h"
-#include "tests/support/exact_truth.h"
-#include "tests/support/exact_windows.h"
-#include "tests/support/faces.h"
-#include "tests/support/random_lit_scene.h"
-#include "tests/support/rendered.h"
-#include "tests/support/sample_poses.h"
+#include "tests/support/exact/exact_truth.h"
+#include "tests/support/exact/exact_windows.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/faces/sample_poses.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/process/asked.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/changed_scene.h"
+#include "tests/support/random/random_lit_scene.h"
 
 namespace mien {
 namespace {

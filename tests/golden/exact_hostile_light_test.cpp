@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/exact_truth.h"
-#include "tests/support/exact_windows.h"
-#include "tests/support/random.h"
-#include "tests/support/rendered.h"
+#include "tests/support/exact/exact_truth.h"
+#include "tests/support/exact/exact_windows.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 namespace {

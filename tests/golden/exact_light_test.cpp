@@ -11,10 +11,10 @@
 #include <tuple>
 #include <utility>
 
-#include "tests/support/exact_truth.h"
-#include "tests/support/faces.h"
-#include "tests/support/random.h"
-#include "tests/support/random_lit_scene.h"
+#include "tests/support/exact/exact_truth.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/random/random.h"
+#include "tests/support/random/random_lit_scene.h"
 
 namespace mien {
 namespace {

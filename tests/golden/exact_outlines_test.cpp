@@ -8,11 +8,11 @@
 
 #include <functional>
 
-#include "tests/support/effort.h"
-#include "tests/support/exact_windows.h"
-#include "tests/support/overlapping_paths.h"
-#include "tests/support/rendered.h"
-#include "tests/support/svg_raster.h"
+#include "tests/support/exact/exact_windows.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/pictures/svg_raster.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/scenes/overlapping_paths.h"
 
 namespace mien {
 namespace {

@@ -23,14 +23,14 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/asked.h"
-#include "tests/support/changed_scene.h"
-#include "tests/support/effort.h"
-#include "tests/support/exact_compare.h"
-#include "tests/support/exact_truth.h"
-#include "tests/support/random_plain_scene.h"
-#include "tests/support/random_scene.h"
-#include "tests/support/rendered.h"
+#include "tests/support/exact/exact_compare.h"
+#include "tests/support/exact/exact_truth.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/process/asked.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/changed_scene.h"
+#include "tests/support/random/random_plain_scene.h"
+#include "tests/support/random/random_scene.h"
 
 namespace mien {
 namespace {

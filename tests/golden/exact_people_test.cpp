@@ -13,10 +13,10 @@
 #include <string_view>
 
 #include "lib/rig/pose/expression_setting.h"
-#include "tests/support/asked.h"
-#include "tests/support/effort.h"
-#include "tests/support/exact_truth.h"
-#include "tests/support/exact_windows.h"
+#include "tests/support/exact/exact_truth.h"
+#include "tests/support/exact/exact_windows.h"
+#include "tests/support/process/asked.h"
+#include "tests/support/process/effort.h"
 
 namespace mien {
 namespace {

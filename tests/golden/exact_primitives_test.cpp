@@ -10,12 +10,12 @@
 
 #include <fmt/format.h>
 
-#include "tests/support/box_letters.h"
-#include "tests/support/effort.h"
-#include "tests/support/exact_truth.h"
-#include "tests/support/exact_windows.h"
-#include "tests/support/primitive_features.h"
-#include "tests/support/rendered.h"
+#include "tests/support/exact/exact_truth.h"
+#include "tests/support/exact/exact_windows.h"
+#include "tests/support/faces/box_letters.h"
+#include "tests/support/faces/primitive_features.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/process/effort.h"
 
 namespace mien {
 namespace {

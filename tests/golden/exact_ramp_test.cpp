@@ -10,10 +10,10 @@
 #include <glm/geometric.hpp>
 
 #include "render/blend/ramp.h"
-#include "tests/support/effort.h"
-#include "tests/support/exact_mix.h"
-#include "tests/support/random_ramp.h"
-#include "tests/support/rendered.h"
+#include "tests/support/exact/exact_mix.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random_ramp.h"
 
 namespace mien {
 namespace {

@@ -13,10 +13,10 @@
 #include <array>
 #include <random>
 
-#include "tests/support/effort.h"
-#include "tests/support/exact_windows.h"
-#include "tests/support/faces.h"
-#include "tests/support/random_plain_scene.h"
+#include "tests/support/exact/exact_windows.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random_plain_scene.h"
 
 namespace mien {
 namespace {

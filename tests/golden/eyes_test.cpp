@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/face_path.h"
-#include "tests/support/faces.h"
-#include "tests/support/rendered.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/pictures/rendered.h"
 
 namespace mien {
 namespace {

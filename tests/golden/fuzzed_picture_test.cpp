@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "tests/support/effort.h"
-#include "tests/support/fuzzed_picture.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/fuzzed_picture.h"
 
 namespace mien::test {
 namespace {

@@ -9,11 +9,11 @@
 
 #include <cstring>
 
-#include "tests/support/effort.h"
-#include "tests/support/faces.h"
-#include "tests/support/posing.h"
-#include "tests/support/random_plain_scene.h"
-#include "tests/support/rendered.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/faces/posing.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random_plain_scene.h"
 
 namespace mien {
 namespace {

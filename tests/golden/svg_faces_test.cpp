@@ -13,13 +13,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/degenerate_scene.h"
-#include "tests/support/effort.h"
-#include "tests/support/faces.h"
-#include "tests/support/huge_scene.h"
-#include "tests/support/random_scene.h"
-#include "tests/support/rendered.h"
-#include "tests/support/svg_raster.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/pictures/svg_raster.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/degenerate_scene.h"
+#include "tests/support/random/random_scene.h"
+#include "tests/support/scenes/huge_scene.h"
 
 namespace mien {
 namespace {

@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/feet_hash.h"
+#include "tests/support/shapes/feet_hash.h"
 
 namespace mien {
 namespace {

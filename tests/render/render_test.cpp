@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sdf/scene/legible.h"
-#include "tests/support/effort.h"
-#include "tests/support/rendered.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/process/effort.h"
 
 namespace mien {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "tests/support/allocations.h"
-#include "tests/support/effort.h"
-#include "tests/support/faces.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/process/allocations.h"
+#include "tests/support/process/effort.h"
 
 namespace mien {
 namespace {

@@ -10,9 +10,9 @@
 #include <cstdio>
 #include <thread>
 
-#include "tests/support/end_process.h"
-#include "tests/support/read_back.h"
-#include "tests/support/run_command.h"
+#include "tests/support/pictures/read_back.h"
+#include "tests/support/process/end_process.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien {
 namespace {

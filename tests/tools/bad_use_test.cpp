@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "tests/support/run_command.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien {
 namespace {

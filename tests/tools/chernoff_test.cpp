@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "tests/support/read_back.h"
+#include "tests/support/pictures/read_back.h"
 #include "tests/tools/data_fixture.h"
 
 namespace mien {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/support/run_command.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien {
 

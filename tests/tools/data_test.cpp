@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "tests/support/read_back.h"
+#include "tests/support/pictures/read_back.h"
 #include "tests/tools/data_fixture.h"
 
 namespace mien {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/support/run_command.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien {
 namespace {

@@ -13,9 +13,9 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "tests/support/read_back.h"
-#include "tests/support/read_film.h"
-#include "tests/support/run_command.h"
+#include "tests/support/pictures/read_back.h"
+#include "tests/support/pictures/read_film.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien::command {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "tools/mien/film/finished_frame.h"
 
-#include "tests/support/scratch_folder.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien::command {
 namespace {

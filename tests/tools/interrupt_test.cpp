@@ -9,8 +9,8 @@
 #include <ctime>
 #include <thread>
 
-#include "tests/support/end_process.h"
-#include "tests/support/run_command.h"
+#include "tests/support/process/end_process.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien {
 namespace {

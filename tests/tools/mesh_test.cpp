@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/head_mesh.h"
-#include "tests/support/run_command.h"
+#include "tests/support/faces/head_mesh.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien {
 namespace {

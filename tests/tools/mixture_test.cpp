@@ -7,8 +7,8 @@
 #include <functional>
 #include <set>
 
-#include "tests/support/read_back.h"
-#include "tests/support/run_command.h"
+#include "tests/support/pictures/read_back.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien {
 namespace {

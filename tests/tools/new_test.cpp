@@ -10,8 +10,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/support/read_back.h"
-#include "tests/support/run_command.h"
+#include "tests/support/pictures/read_back.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/support/posing.h"
+#include "tests/support/faces/posing.h"
 
 namespace mien {
 namespace {

@@ -12,7 +12,7 @@
 #include <set>
 #include <string>
 
-#include "tests/support/posing.h"
+#include "tests/support/faces/posing.h"
 
 namespace mien {
 namespace {

@@ -16,9 +16,9 @@
 
 #include "lib/rig/pose/curve.h"
 #include "lib/rig/speech/coarticulation.h"
-#include "tests/support/read_back.h"
-#include "tests/support/read_film.h"
-#include "tests/support/run_command.h"
+#include "tests/support/pictures/read_back.h"
+#include "tests/support/pictures/read_film.h"
+#include "tests/support/process/run_command.h"
 #include "tools/mien/film/wave_file.h"
 
 namespace mien {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/support/read_back.h"
-#include "tests/support/web_peer.h"
+#include "tests/support/pictures/read_back.h"
+#include "tests/support/process/web_peer.h"
 
 namespace mien {
 namespace {

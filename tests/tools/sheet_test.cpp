@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "tests/support/read_back.h"
-#include "tests/support/run_command.h"
+#include "tests/support/pictures/read_back.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/effort.h"
-#include "tests/support/read_back.h"
-#include "tests/support/run_command.h"
+#include "tests/support/pictures/read_back.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/process/run_command.h"
 
 namespace mien {
 namespace {

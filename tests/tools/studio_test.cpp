@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/support/web_peer.h"
+#include "tests/support/process/web_peer.h"
 
 namespace mien {
 namespace {

@@ -63,7 +63,7 @@ VERBS = (
     verb("code", "code IN/ada.face.json"),
     verb("parts", "parts glasses"),
     verb("parts-new", "parts new glasses mine -o mine.part.json", "mine.part.json", only_new=True),
-    verb("import", "import facemotion SOURCE/tests/support/facemotion_male.js -o out.json", "out.json"),
+    verb("import", "import facemotion SOURCE/tests/support/faces/facemotion_male.js -o out.json", "out.json"),
     verb("fit", "fit FACES/compat/bruno.face.json SOURCE/fuzz/lib/file/json/frame_file_corpus/arkit.json"),
     verb("morph-make", f"morph make {TOON} smiling=IN/other.json -o out.json", "out.json"),
     verb("morph-between", f"morph between {CODE} IN/ada.face.json --steps 2 --size 24 -o out.png", "out.png"),

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "tests/support/face_path.h"
-#include "tests/support/rendered.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/pictures/rendered.h"
 
 namespace mien {
 namespace {

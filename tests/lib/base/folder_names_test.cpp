@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/support/scratch_folder.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tests/support/allocations.h"
+#include "tests/support/process/allocations.h"
 
 namespace mien {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/box_letters.h"
+#include "tests/support/faces/box_letters.h"
 
 namespace mien {
 namespace {

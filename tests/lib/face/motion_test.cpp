@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/support/posing.h"
+#include "tests/support/faces/posing.h"
 
 namespace mien {
 namespace {

@@ -17,7 +17,7 @@
 
 #include "lib/face/standard_names.h"
 #include "lib/file/json/reading.h"
-#include "tests/support/posing.h"
+#include "tests/support/faces/posing.h"
 
 namespace mien {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "tests/support/effort.h"
-#include "tests/support/random.h"
-#include "tests/support/real128.h"
+#include "tests/support/exact/real128.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 namespace {

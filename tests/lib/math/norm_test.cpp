@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random.h"
-#include "tests/support/real128.h"
+#include "tests/support/exact/real128.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 

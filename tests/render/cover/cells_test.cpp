@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "tests/support/random_piece.h"
+#include "tests/support/random/random_piece.h"
 
 namespace mien::test {
 namespace {

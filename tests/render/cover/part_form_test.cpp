@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
 
 namespace mien {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/every_instruction_set.h"
-#include "tests/support/random_piece.h"
+#include "tests/support/random/random_piece.h"
+#include "tests/support/shapes/every_instruction_set.h"
 
 namespace mien::test {
 namespace {

@@ -1,6 +1,6 @@
 #include <mien/device_pixels.h>
 #include "render/device/packed_row.h"
-#include "tests/support/rendered.h"
+#include "tests/support/pictures/rendered.h"
 
 #include <gtest/gtest.h>
 

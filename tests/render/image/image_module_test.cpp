@@ -7,8 +7,8 @@
 
 #include <filesystem>
 
-#include "tests/support/sample_image.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/pictures/sample_image.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "tests/support/sample_image.h"
+#include "tests/support/pictures/sample_image.h"
 
 namespace mien {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/rendered.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

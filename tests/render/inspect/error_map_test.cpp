@@ -9,12 +9,12 @@
 #include <cmath>
 #include <string>
 
-#include "tests/support/effort.h"
-#include "tests/support/exact_mix.h"
-#include "tests/support/exact_truth.h"
-#include "tests/support/random_plain_scene.h"
-#include "tests/support/random_scene.h"
-#include "tests/support/rendered.h"
+#include "tests/support/exact/exact_mix.h"
+#include "tests/support/exact/exact_truth.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random_plain_scene.h"
+#include "tests/support/random/random_scene.h"
 
 namespace mien {
 namespace {

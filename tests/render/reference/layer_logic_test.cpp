@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "tests/support/degenerate_scene.h"
-#include "tests/support/random.h"
-#include "tests/support/random_plain_scene.h"
+#include "tests/support/random/degenerate_scene.h"
+#include "tests/support/random/random.h"
+#include "tests/support/random/random_plain_scene.h"
 
 namespace mien::test {
 namespace {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/changed_scene.h"
-#include "tests/support/degenerate_scene.h"
-#include "tests/support/effort.h"
-#include "tests/support/exact_truth.h"
-#include "tests/support/random_plain_scene.h"
-#include "tests/support/random_scene.h"
+#include "tests/support/exact/exact_truth.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/changed_scene.h"
+#include "tests/support/random/degenerate_scene.h"
+#include "tests/support/random/random_plain_scene.h"
+#include "tests/support/random/random_scene.h"
 
 namespace mien {
 namespace {

@@ -6,13 +6,13 @@
 #include <cstring>
 #include <functional>
 
-#include "tests/support/asked.h"
-#include "tests/support/changed_scene.h"
-#include "tests/support/degenerate_scene.h"
-#include "tests/support/effort.h"
-#include "tests/support/random.h"
-#include "tests/support/random_lit_scene.h"
-#include "tests/support/random_scene.h"
+#include "tests/support/process/asked.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/changed_scene.h"
+#include "tests/support/random/degenerate_scene.h"
+#include "tests/support/random/random.h"
+#include "tests/support/random/random_lit_scene.h"
+#include "tests/support/random/random_scene.h"
 
 namespace mien {
 namespace {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "tests/support/exact_truth.h"
-#include "tests/support/random.h"
-#include "tests/support/rendered.h"
+#include "tests/support/exact/exact_truth.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 namespace {

@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/degenerate_scene.h"
-#include "tests/support/effort.h"
-#include "tests/support/outline_sight.h"
-#include "tests/support/random_plain_scene.h"
-#include "tests/support/random_scene.h"
-#include "tests/support/rendered.h"
-#include "tests/support/sweep_probe.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/degenerate_scene.h"
+#include "tests/support/random/random_plain_scene.h"
+#include "tests/support/random/random_scene.h"
+#include "tests/support/shapes/outline_sight.h"
+#include "tests/support/shapes/sweep_probe.h"
 
 namespace mien {
 

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <vector>
 
-#include "tests/support/every_instruction_set.h"
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
+#include "tests/support/shapes/every_instruction_set.h"
 
 namespace mien::test {
 namespace {

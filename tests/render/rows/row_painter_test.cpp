@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-#include "tests/support/rendered.h"
+#include "tests/support/pictures/rendered.h"
 
 namespace mien {
 namespace {

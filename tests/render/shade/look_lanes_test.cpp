@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "render/blend/blender.h"
-#include "tests/support/every_instruction_set.h"
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
+#include "tests/support/shapes/every_instruction_set.h"
 
 namespace mien::test {
 namespace {

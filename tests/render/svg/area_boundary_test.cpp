@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tests/support/effort.h"
-#include "tests/support/random_scene.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random_scene.h"
 
 namespace mien {
 namespace {

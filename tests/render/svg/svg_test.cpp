@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/svg_tree.h"
+#include "tests/support/pictures/svg_tree.h"
 
 namespace mien {
 namespace {

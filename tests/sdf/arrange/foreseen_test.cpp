@@ -7,7 +7,7 @@
 
 #include "lib/base/watch.h"
 #include "sdf/arrange/sweep.h"
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random_piece.h"
+#include "tests/support/random/random_piece.h"
 
 namespace mien::test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/outline_sight.h"
-#include "tests/support/random_piece.h"
+#include "tests/support/random/random_piece.h"
+#include "tests/support/shapes/outline_sight.h"
 
 namespace mien::test {
 namespace {

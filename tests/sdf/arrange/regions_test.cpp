@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "tests/support/arranged.h"
+#include "tests/support/shapes/arranged.h"
 
 namespace mien::test {
 namespace {

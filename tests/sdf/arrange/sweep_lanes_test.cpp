@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sdf/arrange/piece_place.h"
-#include "tests/support/random_piece.h"
+#include "tests/support/random/random_piece.h"
 
 namespace mien::test {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/arranged.h"
-#include "tests/support/effort.h"
-#include "tests/support/sweep_probe.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/shapes/arranged.h"
+#include "tests/support/shapes/sweep_probe.h"
 
 namespace mien::test {
 namespace {

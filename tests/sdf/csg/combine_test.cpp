@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "tests/support/effort.h"
-#include "tests/support/random.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 namespace {

@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "tests/support/effort.h"
+#include "tests/support/process/effort.h"
 
 namespace mien {
 namespace {

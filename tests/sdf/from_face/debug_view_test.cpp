@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "tests/support/faces.h"
+#include "tests/support/faces/faces.h"
 
 namespace mien {
 namespace {

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "tests/support/face_text.h"
+#include "tests/support/faces/face_text.h"
 
 namespace mien {
 namespace {

@@ -7,7 +7,7 @@
 #include <mien/text_path.h>
 #include "sdf/from_face/heat.h"
 
-#include "tests/support/faces.h"
+#include "tests/support/faces/faces.h"
 
 namespace mien {
 namespace {

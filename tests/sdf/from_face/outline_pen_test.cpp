@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/face_text.h"
+#include "tests/support/faces/face_text.h"
 
 namespace mien {
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/support/face_path.h"
+#include "tests/support/faces/face_path.h"
 
 namespace mien {
 namespace {

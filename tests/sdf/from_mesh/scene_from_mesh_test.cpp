@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "tests/support/rendered.h"
+#include "tests/support/pictures/rendered.h"
 
 namespace mien {
 namespace {

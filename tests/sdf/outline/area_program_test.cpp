@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/effort.h"
-#include "tests/support/random.h"
-#include "tests/support/random_plain_scene.h"
-#include "tests/support/runs_true.h"
-#include "tests/support/shape_examples/all.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/process/runs_true.h"
+#include "tests/support/random/random.h"
+#include "tests/support/random/random_plain_scene.h"
+#include "tests/support/shapes/shape_examples/all.h"
 
 namespace mien::test {
 namespace {

@@ -1,8 +1,8 @@
 #include "sdf/outline/area_tests.h"
 
 #include "lib/base/watch.h"
-#include "tests/support/random.h"
-#include "tests/support/runs_true.h"
+#include "tests/support/process/runs_true.h"
+#include "tests/support/random/random.h"
 
 #include <gtest/gtest.h>
 

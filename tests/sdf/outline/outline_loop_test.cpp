@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/outline_sight.h"
+#include "tests/support/shapes/outline_sight.h"
 
 namespace mien::test {
 namespace {

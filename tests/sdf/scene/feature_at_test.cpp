@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "sdf/scene/part.h"
-#include "tests/support/faces.h"
-#include "tests/support/random.h"
-#include "tests/support/rendered.h"
-#include "tests/support/sample_poses.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/faces/sample_poses.h"
+#include "tests/support/pictures/rendered.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 namespace {

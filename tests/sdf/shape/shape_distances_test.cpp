@@ -1,6 +1,6 @@
 #include "sdf/shape/shape_distances.h"
 
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
 
 #include <gtest/gtest.h>
 #include <chrono>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lib/base/watch.h"
-#include "tests/support/overlapping_paths.h"
+#include "tests/support/scenes/overlapping_paths.h"
 
 namespace mien::test {
 

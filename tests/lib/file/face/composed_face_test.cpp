@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lib/rig/pose/expression_setting.h"
-#include "tests/support/allocations.h"
+#include "tests/support/process/allocations.h"
 
 namespace mien {
 namespace {

@@ -10,8 +10,8 @@
 #include <sstream>
 #include <string>
 
-#include "tests/support/face_path.h"
-#include "tests/support/face_text.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/faces/face_text.h"
 
 namespace mien {
 namespace {

@@ -26,8 +26,8 @@ def feature(face, name):
 
 
 def primitives():
-    """The features of tests/support/primitive_features.h."""
-    text = (ROOT / "tests/support/primitive_features.h").read_text()
+    """The features of tests/support/faces/primitive_features.h."""
+    text = (ROOT / "tests/support/faces/primitive_features.h").read_text()
     return json.loads("[" + ",".join(re.findall(r'R"\((\{.*?\})\)"', text, re.S)[:-1]) + "]")
 
 

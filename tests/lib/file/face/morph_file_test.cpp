@@ -5,8 +5,8 @@
 #include <mien/face_model.h>
 #include <mien/morph_file.h>
 
-#include "tests/support/faces.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "tests/support/face_text.h"
+#include "tests/support/faces/face_text.h"
 
 namespace mien {
 namespace {

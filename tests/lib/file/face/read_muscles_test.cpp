@@ -9,8 +9,8 @@
 #include <sstream>
 #include <string>
 
-#include "tests/support/effort.h"
-#include "tests/support/face_path.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/process/effort.h"
 
 namespace mien {
 namespace {

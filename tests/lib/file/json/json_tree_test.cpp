@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/effort.h"
-#include "tests/support/face_text.h"
-#include "tests/support/posing.h"
+#include "tests/support/faces/face_text.h"
+#include "tests/support/faces/posing.h"
+#include "tests/support/process/effort.h"
 
 namespace mien {
 namespace {

@@ -6,7 +6,7 @@
 #include <mien/morph_file.h>
 #include <mien/obj_map.h>
 
-#include "tests/support/faces.h"
+#include "tests/support/faces/faces.h"
 
 namespace mien {
 namespace {

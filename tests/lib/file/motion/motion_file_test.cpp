@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/scratch_folder.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

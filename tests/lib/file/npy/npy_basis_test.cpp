@@ -7,8 +7,8 @@
 #include <mien/npy_basis.h>
 #include <mien/pose.h>
 
-#include "tests/support/face_path.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

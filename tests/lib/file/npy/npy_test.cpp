@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "tests/support/scratch_folder.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/file/json/json_copy.h"
-#include "tests/support/small_library.h"
+#include "tests/support/faces/small_library.h"
 
 namespace mien {
 namespace {

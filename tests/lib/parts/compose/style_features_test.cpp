@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/small_library.h"
+#include "tests/support/faces/small_library.h"
 
 namespace mien {
 namespace {

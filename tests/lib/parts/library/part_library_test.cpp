@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "tests/support/small_library.h"
+#include "tests/support/faces/small_library.h"
 
 namespace mien {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/small_library.h"
+#include "tests/support/faces/small_library.h"
 
 namespace mien {
 namespace {

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "lib/parts/recipe/part_guide.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "lib/parts/recipe/sample.h"
-#include "tests/support/small_library.h"
+#include "tests/support/faces/small_library.h"
 
 namespace mien {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "tests/support/eye_surface.h"
+#include "tests/support/faces/eye_surface.h"
 
 namespace mien {
 namespace {

@@ -12,8 +12,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "tests/support/eye_surface.h"
-#include "tests/support/posing.h"
+#include "tests/support/faces/eye_surface.h"
+#include "tests/support/faces/posing.h"
 
 namespace mien {
 namespace {

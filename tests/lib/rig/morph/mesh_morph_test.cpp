@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "tests/support/head_mesh.h"
+#include "tests/support/faces/head_mesh.h"
 
 namespace mien {
 namespace {

@@ -5,7 +5,7 @@
 #include <mien/face_model.h>
 #include <mien/morph.h>
 
-#include "tests/support/faces.h"
+#include "tests/support/faces/faces.h"
 
 namespace mien {
 namespace {

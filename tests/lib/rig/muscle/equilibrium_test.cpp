@@ -8,11 +8,11 @@
 
 #include <cmath>
 
-#include "tests/support/effort.h"
-#include "tests/support/face_path.h"
-#include "tests/support/faces.h"
-#include "tests/support/muscle_reference.h"
-#include "tests/support/random.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/faces/muscle_reference.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random.h"
 
 namespace mien {
 namespace {

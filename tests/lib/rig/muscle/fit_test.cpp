@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/faces.h"
+#include "tests/support/faces/faces.h"
 
 namespace mien {
 namespace {

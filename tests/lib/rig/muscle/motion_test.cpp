@@ -10,9 +10,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/support/face_path.h"
-#include "tests/support/faces.h"
-#include "tests/support/muscle_reference.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/faces/muscle_reference.h"
 
 namespace mien {
 namespace {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "tests/support/faces.h"
+#include "tests/support/faces/faces.h"
 
 namespace mien {
 namespace {

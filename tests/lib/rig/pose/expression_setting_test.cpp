@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/faces.h"
+#include "tests/support/faces/faces.h"
 
 namespace mien {
 namespace {

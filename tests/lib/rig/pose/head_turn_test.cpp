@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-#include "tests/support/posing.h"
+#include "tests/support/faces/posing.h"
 
 namespace mien {
 namespace {

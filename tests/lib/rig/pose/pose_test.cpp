@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-#include "tests/support/posing.h"
+#include "tests/support/faces/posing.h"
 
 namespace mien {
 namespace {

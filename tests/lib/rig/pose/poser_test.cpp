@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "tests/support/allocations.h"
-#include "tests/support/posing.h"
+#include "tests/support/faces/posing.h"
+#include "tests/support/process/allocations.h"
 
 namespace mien {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "tests/support/posing.h"
+#include "tests/support/faces/posing.h"
 
 namespace mien {
 namespace {

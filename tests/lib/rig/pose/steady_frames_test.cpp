@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/support/posing.h"
+#include "tests/support/faces/posing.h"
 
 namespace mien {
 namespace {

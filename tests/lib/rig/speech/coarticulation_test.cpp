@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/posing.h"
+#include "tests/support/faces/posing.h"
 
 namespace mien {
 namespace {

@@ -13,8 +13,8 @@
 #include <random>
 #include <thread>
 
-#include "tests/support/end_process.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/process/end_process.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cerrno>
 
-#include "tests/support/scratch_folder.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

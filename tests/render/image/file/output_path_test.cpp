@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tests/support/scratch_folder.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace fs = std::filesystem;

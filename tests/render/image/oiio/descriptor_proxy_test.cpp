@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <string>
 
-#include "tests/support/scratch_folder.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
-#include "tests/support/sample_image.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/pictures/sample_image.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

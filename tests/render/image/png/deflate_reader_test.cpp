@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/unpacked.h"
+#include "tests/support/pictures/unpacked.h"
 
 namespace mien {
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "tests/support/unpacked.h"
+#include "tests/support/pictures/unpacked.h"
 
 namespace mien {
 namespace {

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <map>
 
-#include "tests/support/read_back.h"
-#include "tests/support/sample_image.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/pictures/read_back.h"
+#include "tests/support/pictures/sample_image.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "tests/support/sample_image.h"
-#include "tests/support/unpacked.h"
+#include "tests/support/pictures/sample_image.h"
+#include "tests/support/pictures/unpacked.h"
 
 namespace mien {
 namespace {

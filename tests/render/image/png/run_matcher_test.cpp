@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "tests/support/unpacked.h"
+#include "tests/support/pictures/unpacked.h"
 
 namespace mien {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <cmath>
 
-#include "tests/support/read_back.h"
-#include "tests/support/sample_image.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/pictures/read_back.h"
+#include "tests/support/pictures/sample_image.h"
+#include "tests/support/process/scratch_folder.h"
 
 namespace mien {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/lit_scene.h"
+#include "tests/support/scenes/lit_scene.h"
 
 namespace mien {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tests/support/every_instruction_set.h"
-#include "tests/support/lit_scene.h"
-#include "tests/support/tile_cells.h"
+#include "tests/support/scenes/lit_scene.h"
+#include "tests/support/shapes/every_instruction_set.h"
+#include "tests/support/shapes/tile_cells.h"
 
 namespace mien {
 namespace {

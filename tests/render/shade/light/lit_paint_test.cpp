@@ -7,9 +7,9 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
-#include "tests/support/brute_light.h"
-#include "tests/support/every_instruction_set.h"
-#include "tests/support/lit_scene.h"
+#include "tests/support/exact/brute_light.h"
+#include "tests/support/scenes/lit_scene.h"
+#include "tests/support/shapes/every_instruction_set.h"
 
 namespace mien {
 namespace {

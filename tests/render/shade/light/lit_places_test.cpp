@@ -28,8 +28,8 @@ HWY_AFTER_NAMESPACE();
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tests/support/every_instruction_set.h"
-#include "tests/support/lit_scene.h"
+#include "tests/support/scenes/lit_scene.h"
+#include "tests/support/shapes/every_instruction_set.h"
 
 namespace mien::batch {
 HWY_EXPORT(SeeSixteen);

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "render/shade/paint_table.h"
-#include "tests/support/lit_scene.h"
+#include "tests/support/scenes/lit_scene.h"
 
 namespace mien {
 namespace {

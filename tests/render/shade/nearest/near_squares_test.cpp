@@ -43,8 +43,8 @@ HWY_AFTER_NAMESPACE();
 #include <array>
 #include <cmath>
 
-#include "tests/support/every_instruction_set.h"
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
+#include "tests/support/shapes/every_instruction_set.h"
 
 namespace mien::batch {
 HWY_EXPORT(SeeInSquares);

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random.h"
-#include "tests/support/random_ramp.h"
+#include "tests/support/random/random.h"
+#include "tests/support/random/random_ramp.h"
 
 namespace mien::test {
 namespace {

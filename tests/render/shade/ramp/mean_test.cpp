@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tests/support/random.h"
-#include "tests/support/random_ramp.h"
+#include "tests/support/random/random.h"
+#include "tests/support/random/random_ramp.h"
 
 namespace mien::test {
 namespace {

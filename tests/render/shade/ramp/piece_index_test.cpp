@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 namespace {

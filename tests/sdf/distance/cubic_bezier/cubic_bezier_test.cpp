@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sdf/distance/instruction_sets.h"
-#include "tests/support/every_instruction_set.h"
+#include "tests/support/shapes/every_instruction_set.h"
 #include "tools/accuracy/reference.h"
 #include "tools/accuracy/tally.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
 
 namespace mien {
 namespace {

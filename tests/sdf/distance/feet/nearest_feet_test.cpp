@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "tests/support/effort.h"
-#include "tests/support/every_instruction_set.h"
-#include "tests/support/feet_hash.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/shapes/every_instruction_set.h"
+#include "tests/support/shapes/feet_hash.h"
 #include "tools/accuracy/feet.h"
 
 namespace mien {

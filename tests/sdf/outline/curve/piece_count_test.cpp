@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random.h"
+#include "tests/support/random/random.h"
 
 namespace mien::test {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <variant>
 
-#include "tests/support/drawn_outline.h"
-#include "tests/support/effort.h"
-#include "tests/support/random_shapes.h"
-#include "tests/support/shape_examples/all.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random_shapes.h"
+#include "tests/support/shapes/drawn_outline.h"
+#include "tests/support/shapes/shape_examples/all.h"
 
 namespace mien::test {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "sdf/outline/outline_maker.h"
 
-#include "tests/support/drawn_outline.h"
-#include "tests/support/effort.h"
-#include "tests/support/random.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random.h"
+#include "tests/support/shapes/drawn_outline.h"
 
 namespace mien::test {
 namespace {

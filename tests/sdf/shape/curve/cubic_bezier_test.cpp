@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "tests/support/bezier_cases.h"
-#include "tests/support/effort.h"
-#include "tests/support/shape_laws.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/shapes/bezier_cases.h"
+#include "tests/support/shapes/shape_laws.h"
 
 namespace mien::test {
 namespace {

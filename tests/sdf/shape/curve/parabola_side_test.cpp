@@ -1,9 +1,9 @@
 #include <mien/parabola_side.h>
 
-#include "tests/support/effort.h"
-#include "tests/support/real128.h"
-#include "tests/support/shape_examples/parabola_side.h"
-#include "tests/support/shape_laws.h"
+#include "tests/support/exact/real128.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/shapes/shape_examples/parabola_side.h"
+#include "tests/support/shapes/shape_laws.h"
 
 namespace mien::test {
 namespace {

@@ -7,11 +7,11 @@
 #include <chrono>
 #include <cmath>
 
-#include "tests/support/effort.h"
-#include "tests/support/exact_outline.h"
-#include "tests/support/overlapping_paths.h"
-#include "tests/support/random.h"
-#include "tests/support/shape_examples/path.h"
+#include "tests/support/exact/exact_outline.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/random/random.h"
+#include "tests/support/scenes/overlapping_paths.h"
+#include "tests/support/shapes/shape_examples/path.h"
 
 namespace mien::test {
 namespace {

@@ -1,8 +1,8 @@
 #include "sdf/shape/curve/path.h"
 
-#include "tests/support/bezier_cases.h"
-#include "tests/support/shape_examples/path.h"
-#include "tests/support/shape_laws.h"
+#include "tests/support/shapes/bezier_cases.h"
+#include "tests/support/shapes/shape_examples/path.h"
+#include "tests/support/shapes/shape_laws.h"
 
 namespace mien::test {
 

@@ -1,9 +1,9 @@
 #include <mien/tapered_stroke.h>
 
-#include "tests/support/bezier_cases.h"
-#include "tests/support/effort.h"
-#include "tests/support/shape_examples/tapered_stroke.h"
-#include "tests/support/shape_laws.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/shapes/bezier_cases.h"
+#include "tests/support/shapes/shape_examples/tapered_stroke.h"
+#include "tests/support/shapes/shape_laws.h"
 
 namespace mien::test {
 namespace {

@@ -1,6 +1,6 @@
-#include "tests/support/shape_examples/cut_disc.h"
-#include "tests/support/real128.h"
-#include "tests/support/shape_laws.h"
+#include "tests/support/shapes/shape_examples/cut_disc.h"
+#include "tests/support/exact/real128.h"
+#include "tests/support/shapes/shape_laws.h"
 
 namespace mien::test {
 

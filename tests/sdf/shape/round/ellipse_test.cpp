@@ -1,9 +1,9 @@
 #include <mien/ellipse_distance.h>
 
-#include "tests/support/effort.h"
-#include "tests/support/real128.h"
-#include "tests/support/shape_examples/ellipse.h"
-#include "tests/support/shape_laws.h"
+#include "tests/support/exact/real128.h"
+#include "tests/support/process/effort.h"
+#include "tests/support/shapes/shape_examples/ellipse.h"
+#include "tests/support/shapes/shape_laws.h"
 
 namespace mien::test {
 namespace {

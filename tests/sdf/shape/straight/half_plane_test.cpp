@@ -1,7 +1,7 @@
 #include <mien/shape.h>
 
-#include "tests/support/shape_examples/half_plane.h"
-#include "tests/support/shape_laws.h"
+#include "tests/support/shapes/shape_examples/half_plane.h"
+#include "tests/support/shapes/shape_laws.h"
 
 namespace mien::test {
 

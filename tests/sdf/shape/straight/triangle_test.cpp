@@ -1,5 +1,5 @@
-#include "tests/support/shape_examples/triangle.h"
-#include "tests/support/shape_laws.h"
+#include "tests/support/shapes/shape_examples/triangle.h"
+#include "tests/support/shapes/shape_laws.h"
 
 namespace mien::test {
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-#include "tests/support/end_process.h"
+#include "tests/support/process/end_process.h"
 #include "tests/tools/mien/batch/batch_fixture.h"
 
 namespace mien {

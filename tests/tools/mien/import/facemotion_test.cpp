@@ -12,9 +12,9 @@
 #include <regex>
 #include <sstream>
 
-#include "tests/support/effort.h"
-#include "tests/support/face_path.h"
-#include "tests/support/faces.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/faces/faces.h"
+#include "tests/support/process/effort.h"
 
 namespace mien {
 namespace {
@@ -117,7 +117,7 @@ TEST(Facemotion, TheMaleFaceHasThirteenMusclesAndSixRecipes) {  // M1, M4, M10
 }
 
 std::string published_text() {
-  std::ifstream file(MIEN_SOURCE_DIR "/tests/support/facemotion_male.js");
+  std::ifstream file(MIEN_SOURCE_DIR "/tests/support/faces/facemotion_male.js");
   std::stringstream text;
   text << file.rdbuf();
   return text.str();

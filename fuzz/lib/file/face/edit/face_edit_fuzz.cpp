@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/support/box_letters.h"
+#include "tests/support/faces/box_letters.h"
 
 namespace {
 

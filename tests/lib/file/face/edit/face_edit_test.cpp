@@ -14,9 +14,9 @@
 #include <sstream>
 
 #include "lib/parts/recipe/recipe_file.h"
-#include "tests/support/face_path.h"
-#include "tests/support/face_text.h"
-#include "tests/support/random.h"
+#include "tests/support/faces/face_path.h"
+#include "tests/support/faces/face_text.h"
+#include "tests/support/random/random.h"
 
 namespace mien {
 namespace {

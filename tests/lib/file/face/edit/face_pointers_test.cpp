@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "tests/support/face_text.h"
+#include "tests/support/faces/face_text.h"
 
 namespace mien {
 namespace {

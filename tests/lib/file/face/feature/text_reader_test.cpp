@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "tests/support/box_letters.h"
+#include "tests/support/faces/box_letters.h"
 
 namespace mien {
 namespace {
