@@ -1,7 +1,7 @@
 // node --test element_crowd_test.mjs: many <mien-face> in one page: which are drawn, and when, in headless Chromium.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { ada, browser, built, drawn, faces, mien, open, page, picture, server, shown, shows, toon } from './element_pages.mjs';
+import { ada, browser, built, drawn, faces, mien, open, page, pages, picture, server, shown, shows, toon } from './element_pages.mjs';
 import { pngPixels } from './png_pixels.mjs';
 import { serve } from './static_server.mjs';
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
-import { ada, browser, built, change, drawn, faces, mien, open, page, picture, sentence, shown, shows } from './element_pages.mjs';
+import { ada, browser, built, change, drawn, faces, mien, open, page, pages, picture, sentence, shown, shows } from './element_pages.mjs';
 import { serve } from './static_server.mjs';
 
 test('who wants less motion sees the face at rest', async () => {
