@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace mien {
 
@@ -22,18 +23,28 @@ std::vector<std::string> selected_features(const Reading& in, const JsonNode& se
                                            std::size_t order, const PartLibrary& library,
                                            const FlatFeatures& features, Operands which) {
   std::set<std::string_view> roles;
+  std::set<std::pair<std::size_t, std::string_view>> roles_in_slots;
   std::set<std::size_t> slots;
   const JsonNode* role_list = in.find(selection, "roles");
   const JsonNode* slot_list = in.find(selection, "slots");
   if (role_list)
-    in.for_each(*role_list, [&](const JsonNode& one, int) { roles.insert(in.string(one)); });
+    in.for_each(*role_list, [&](const JsonNode& one, int) {
+      const std::string_view role = in.string(one);
+      const std::size_t slash = role.find('/');
+      if (slash == std::string_view::npos)
+        roles.insert(role);
+      else
+        roles_in_slots.emplace(slot_named(in, role.substr(0, slash), one, library),
+                               role.substr(slash + 1));
+    });
   if (slot_list)
     in.for_each(*slot_list,
                 [&](const JsonNode& one, int) { slots.insert(slot_named(in, one, library)); });
   std::vector<const FlatFeatures::One*> found;
   for (const FlatFeatures::One& one : features.all()) {
     if (one.order > order) continue;
-    if (one.role == "none" || (role_list && !roles.contains(one.role))) continue;
+    const bool listed = roles.contains(one.role) || roles_in_slots.contains({one.slot, one.role});
+    if (one.role == "none" || (role_list && !listed)) continue;
     if (slot_list && !slots.contains(one.slot)) continue;
     found.push_back(&one);
   }

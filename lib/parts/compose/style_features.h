@@ -1,6 +1,6 @@
 #pragma once
 // Areas of all that a face has of some roles, "any": {"roles": ["hair", "hair.back"], "slots": ["hair"]}: one mass of hair, the
-// edge round a figure. Only what was composed before counts.
+// edge round a figure. A role may be one of a slot alone, "hair.far/cloth.shade". Only what was composed before counts.
 
 #include "lib/parts/compose/flat_feature.h"
 

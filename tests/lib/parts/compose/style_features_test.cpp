@@ -43,6 +43,7 @@ TEST_F(SelectedFeatures, AreOfTheirRolesAndSlots) {
       << "what has no role is an area";
   EXPECT_EQ(names(R"({"roles": ["skin"]})", 3), (FoundNames{"ear.left", "ear.right"}));
   EXPECT_TRUE(names(R"({"roles": ["wool"]})", 3).empty());
+  EXPECT_EQ(names(R"({"roles": ["back/hair", "hat"]})", 3), (FoundNames{"cap", "bun.left"}));
 }
 
 TEST_F(SelectedFeatures, AreDrawnBeforeTheArea) {
@@ -68,6 +69,7 @@ TEST_F(SelectedFeatures, OfAUnionWhatIsCutToAnotherOneIsLeftOut) {
 
 TEST_F(SelectedFeatures, SlotsAreKnown) {
   EXPECT_THROW(names(R"({"slots": ["frnt"]})", 3), Refusal);
+  EXPECT_THROW(names(R"({"roles": ["frnt/hair"]})", 3), Refusal);
 }
 
 }  // namespace
