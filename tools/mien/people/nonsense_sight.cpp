@@ -97,6 +97,18 @@ void add_members(const FaceModel& model, int feature, std::vector<int>& members)
   for (const Index<Feature> member : area->any) add_members(model, member.at, members);
 }
 
+/// Where a feature is drawn: itself, or the area that a style draws in its place, where it is known before.
+int drawn_at(const FaceModel& model, int feature) {
+  const std::vector<Feature>& features = model.features;
+  if (features[std::size_t(feature)].painted()) return feature;
+  for (std::size_t i = std::size_t(feature); i < features.size(); ++i) {
+    const auto* area = std::get_if<AreaFigure>(&features[i].figure);
+    if (features[i].painted() && area && area->any.size() == 1 && area->any[0].at == feature)
+      return int(i);
+  }
+  return feature;
+}
+
 double up_sign(const Face& face) {
   return face.model->canvas.y_up ? 1.0 : -1.0;
 }
@@ -125,9 +137,10 @@ KnownFeatures::KnownFeatures(const Face& face) {
     if (!feature.painted()) continue;
     if (!is_glasses(name)) {
       const Hiding hiding = hiding_of(face, feature, false);
-      if (head >= 0 && i > head && !begins_with_any(name, {"beard", "moustache"})) {
+      if (head >= 0 && i > drawn_at(model, head) &&
+          !begins_with_any(name, {"beard", "moustache"})) {
         if (hiding == Hiding::all) add_members(model, i, over_head);
-        if (hiding != Hiding::none) over_temples.push_back(i);
+        if (hiding != Hiding::none) add_members(model, i, over_temples);
         one_mass = one_mass || name == "hair_mass";
       }
       const bool over_brows =
