@@ -231,110 +231,176 @@ inline float ThinnestSide(const PartCells& cells, float area) {
   return float(there) / (float(cells.side) * HWY_MAX(area, 1e-4f));
 }
 
-/// The mean over a part of the pixel, or all of it. Cells that a ridge or a clamp runs through are divided further while
-/// they may be off, which is of second order in their side; the others as far as they need it.
-inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, float* to) {
+/// The mean over a part of the pixel, or all of it, by rounds of ever smaller cells. Those that a ridge or a clamp runs
+/// through are divided further while they may be off, which is of second order in their side; the others as far as they
+/// need it.
+class CellRounds {
+ public:
+  /// `form`: none, all of the pixel.
+  CellRounds(const CellPixel& pixel, const PartForm* form, float form_area)
+      : pixel_(pixel),
+        form_(form),
+        form_area_(form_area),
+        fine_(pixel.tile.fine),
+        allowed_(pixel.tile.tolerance),
+        scratch_(*pixel.tile.scratch) {
+    pixel_.seen = HWY_MAX(form_area, 0.05f);
+    pixel_.bend = BendAt(pixel_.tile.lamp, pixel_.cx, pixel_.cy);
+    begun_ = HWY_MIN(SideFor(pixel_.bend, form_area, kFirst * allowed_), 8);
+    least_ = SideFor(pixel_.bend, form_area, allowed_);
+    pixel_.side = HWY_MAX(begun_, least_);
+    pixel_.bends = fine_;
+    const float few = HWY_MAX(pixel_.seen, kFewest);
+    kink_by_ = kWholeKink * few, jump_by_ = kWholeJump * few;
+  }
+
+  /// Adds to the tile's `off` what the mean may be off by.
+  void mean(float* to) {
+    begin(begun_);
+    for (int side = begun_;; side *= 2) {
+      const Round round = look(side);
+      if (!ends(round, take_mean(to))) {
+        count_ = DivideCells(side, scratch_.open, mean_.opens, scratch_.listed);
+        scratch_.turned = !scratch_.turned;
+        continue;
+      }
+      if (side == begun_ || stays(round, to)) return;
+      mean_ = {}, pixel_.bends = true;
+      begin(2 * side);
+    }
+  }
+
+ private:
   // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells, twice that where
   // it bends, ridges less than a thirtieth of their jump; parts of few cells as much more as these are fewer.
-  constexpr float kWholeKink = 24.0f, kWholeJump = 10.0f, kFewest = 0.16f;
-  // [of the tolerance] How much means may differ that agree, and what cells with kinks may be apart in all where sums of
-  // theirs agree; for 16 bits both together, and less than that shows that no cell has crossed a kink yet.
-  constexpr float kAgree = 0.7f, kTorn = 3.0f, kSettles = 2.0f, kUnseen = 0.25f, kAtOnce = 0.25f;
-  constexpr float kNever = 1e9f;
-  // Of what is permitted to any: what closed cells may be off by.
-  constexpr float kClosed = 0.3f;
-  // [of the tolerance] What is permitted to quarters: to all of them, and to each of a few along an outline. And what
-  // cells may be off by at first.
-  constexpr float kApart = 2.5f, kFirst = 8.0f;
-  const float few_apart = pixel.tile.fine ? 0.03f : 0.1f;
-  // Of what cells are apart from theirs, in all or from mean to mean: how the means go on from the smallest cells, and
-  // what may be left after these; what is left of cells that are settled. And how much of that a pixel bears [of the
-  // tolerance], beside rounding: it may be off by six of these for 16 bits.
-  constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 3.0f, kCoarse = 1.3f;
-  const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
-  // Of that: cells that were closed with more left were closed too soon. Stops of a ramp cut a pixel into many parts,
-  // whose doubts add up: each has its share.
-  const float again = pixel.tile.segment ? 0.5f * HWY_MAX(form_area, 0.05f) : 0.5f;
-  LightTile& tile = pixel.tile;
-  const int finest = tile.fine ? 4 * PartCells::kMostSide : PartCells::kMostSide;
-  const float allowed = tile.tolerance;
-  float seen_from = 0.0f;
-  float before[LightTile::kChannels] = {}, last_jump = 0.0f, last_kink = 0.0f, before_now = kNever;
-  pixel.seen = HWY_MAX(form_area, 0.05f);
-  pixel.bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
-  const int begun = HWY_MIN(SideFor(pixel.bend, form_area, kFirst * allowed), 8);
-  int first = begun;
-  const int least = SideFor(pixel.bend, form_area, allowed);
-  pixel.side = HWY_MAX(begun, least);
-  pixel.bends = tile.fine;
-  const float few = HWY_MAX(pixel.seen, kFewest);
-  const float kink_by = kWholeKink * few, jump_by = kWholeJump * few;
-  CellScratch& scratch = *tile.scratch;
-  CellList &list = scratch.listed, &open = scratch.open;
-  CellMean mean;
-  int count = first * first;
-  std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
-  for (int side = first;; side *= 2) {
+  static constexpr float kWholeKink = 24.0f, kWholeJump = 10.0f, kFewest = 0.16f;
+  // [of the tolerance] What cells may be off by at first.
+  static constexpr float kFirst = 8.0f;
+  static constexpr float kNever = 1e9f;
+
+  struct Round {
+    int side;
+    float each;  ///< [of a kink or a jump in one cell] the tolerance, as that many cells bear it
+    bool sees;   ///< whether cells are no larger than a part is thin
+    bool small;  ///< whether nothing but ridges and clamps can matter within a cell
+    bool breaks_anew;
+  };
+
+  int finest() const { return fine_ ? 4 * PartCells::kMostSide : PartCells::kMostSide; }
+
+  /// All cells of a grid.
+  void begin(int side) {
+    first_ = side, count_ = side * side;
+    std::iota(scratch_.listed.begin(), scratch_.listed.begin() + count_, std::uint16_t{0});
+  }
+
+  CellGrid grid(int side) {
     const bool finer = side > PartCells::kMostSide;
-    if (form && !finer) cells_of_form(*form, side, scratch.of_form, side == 4 && !tile.fine);
-    if (form && side == begun) seen_from = ThinnestSide(scratch.of_form, form_area);
-    const CellGrid grid{side, form, finer ? nullptr : form ? &scratch.of_form : &whole_cells(side)};
-    const bool small = !pixel.bends && side >= least;
-    const bool last = side == finest;
-    const float each = allowed * float(side * side) / (16.0f * pixel.seen);
+    if (form_ && !finer) cells_of_form(*form_, side, scratch_.of_form, side == 4 && !fine_);
+    if (form_ && side == begun_) seen_from_ = ThinnestSide(scratch_.of_form, form_area_);
+    return {side, form_, finer ? nullptr : form_ ? &scratch_.of_form : &whole_cells(side)};
+  }
+
+  Round look(int side) {
+    // Of what is permitted to any: what closed cells may be off by.
+    constexpr float kClosed = 0.3f;
+    // [of the tolerance] What is permitted to quarters: to all of them, and to each of a few along an outline.
+    constexpr float kApart = 2.5f, kFew = 0.1f, kFewFine = 0.03f;
     // Cells at a part's tips see too little of it to agree on, and none sees across what is thinner than it.
     constexpr int kClosesFrom = 16, kClosesBroken = 32;
-    const bool sees = side >= finest || float(side) >= seen_from;
-    const bool broken = last_jump > jump_by * each || last_kink > kink_by * each;
-    const int closes_from = broken ? kClosesBroken : form ? kClosesFrom : 0;
-    const float closes = (tile.fine && side < closes_from) || !sees ? -1.0f : 1.0f;
-    LookAtCells(pixel, grid, list, count,
-                {kClosed * jump_by * each, kClosed * kink_by * each,
-                 last ? 1e9f : closes * kApart * allowed / pixel.seen, closes * few_apart * allowed,
-                 side > first, small},
-                mean, open);
-    const float area = mean.closed.area + mean.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
-    float apart = 0.0f, change[LightTile::kChannels];
-    for (int c = 0; c < tile.channels; ++c) to[c] = (mean.closed.c[c] + mean.open.c[c]) * over;
-    pixel.shows(to);
-    for (int c = 0; c < tile.channels; ++c) {
-      change[c] = to[c] - before[c], before[c] = to[c];
-      apart = HWY_MAX(apart, std::abs(change[c]) * pixel.encoding.by[c]);
-    }
-    const bool bounded = mean.kink < kink_by * each && mean.jump < jump_by * each;
-    const bool full = 4 * mean.opens > CellScratch::kMost;
+    const CellGrid cells = grid(side);
+    Round round{.side = side,
+                .each = allowed_ * float(side * side) / (16.0f * pixel_.seen),
+                .sees = side >= finest() || float(side) >= seen_from_,
+                .small = !pixel_.bends && side >= least_,
+                .breaks_anew = false};
+    const float jumps = jump_by_ * round.each, kinks = kink_by_ * round.each;
+    const bool broken = jump_ > jumps || kink_ > kinks;
+    const int closes_from = broken ? kClosesBroken : form_ ? kClosesFrom : 0;
+    const float closes = (fine_ && side < closes_from) || !round.sees ? -1.0f : 1.0f;
+    LookAtCells(pixel_, cells, scratch_.listed, count_,
+                {kClosed * jump_by_ * round.each, kClosed * kink_by_ * round.each,
+                 side == finest() ? kNever : closes * kApart * allowed_ / pixel_.seen,
+                 closes * (fine_ ? kFewFine : kFew) * allowed_, side > first_, round.small},
+                mean_, scratch_.open);
     // A ridge or a clamp that larger cells did not see may change more than this once it is divided.
-    const bool new_breaks = mean.jump > 2.0f * last_jump + jump_by * each ||
-                            mean.kink > 2.0f * last_kink + kink_by * each;
-    // One that no cell has crossed yet may cut off the corner of a cell.
-    const bool unseen = mean.torn < kUnseen * allowed &&
-                        HWY_MAX(mean.kink, mean.jump) > allowed * float(side * side);
-    last_jump = mean.jump, last_kink = mean.kink;
-    // Sums agree by chance, too: they converge by the square of the side.
-    const float now = side > first ? HWY_MAX(apart * pixel.seen, mean.apart + mean.torn) : kNever;
-    const bool converges = before_now < 4.0f * kSettles * allowed ||
-                           now < (tile.fine ? kAtOnce : 2.0f * kAtOnce) * allowed;
-    const bool agrees = sees && converges && apart * pixel.seen < kAgree * allowed &&
-                        side > first && mean.torn < kTorn * allowed;
-    const bool settled =
-        sees && tile.fine && !new_breaks && !unseen && now < kSettles * allowed && converges;
-    before_now = now;
-    if (last || full || settled || mean.opens == 0 ||
-        (small && !pixel.bends && (bounded || agrees))) {
-      if (side == begun) return;
-      const bool at_end = side >= PartCells::kMostSide;
-      const float left = (at_end ? last_left : kSettled) *
-                         HWY_MAX(mean.apart + mean.torn, apart * pixel.seen),
-                  off = left / ((tile.fine ? kFine : kCoarse) * allowed);
-      for (int c = 0; c < tile.channels && last; ++c) to[c] += kOn * change[c];
-      if (at_end || off < again) return void(tile.off += off);
-      first = 2 * side, count = first * first, mean = {}, pixel.bends = true;
-      std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
-      continue;
-    }
-    count = DivideCells(side, open, mean.opens, list), scratch.turned = !scratch.turned;
+    round.breaks_anew = mean_.jump > 2.0f * jump_ + jumps || mean_.kink > 2.0f * kink_ + kinks;
+    jump_ = mean_.jump, kink_ = mean_.kink;
+    return round;
   }
-}
+
+  /// By how much the mean is apart from the one before.
+  float take_mean(float* to) {
+    const float area = mean_.closed.area + mean_.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
+    const int channels = pixel_.tile.channels;
+    for (int c = 0; c < channels; ++c) to[c] = (mean_.closed.c[c] + mean_.open.c[c]) * over;
+    pixel_.shows(to);
+    float apart = 0.0f;
+    for (int c = 0; c < channels; ++c) {
+      change_[c] = to[c] - before_[c], before_[c] = to[c];
+      apart = HWY_MAX(apart, std::abs(change_[c]) * pixel_.encoding.by[c]);
+    }
+    return apart_ = apart * pixel_.seen;
+  }
+
+  /// Whether smaller cells would tell no more.
+  bool ends(const Round& round, float apart) {
+    // [of the tolerance] How much means may differ that agree, and what cells with kinks may be apart in all where sums of
+    // theirs agree; for 16 bits both together, and less than that shows that no cell has crossed a kink yet.
+    constexpr float kAgree = 0.7f, kTorn = 3.0f, kSettles = 2.0f, kUnseen = 0.25f, kAtOnce = 0.25f;
+    const int side = round.side;
+    // Sums agree by chance, too: they converge by the square of the side.
+    const float now = side > first_ ? HWY_MAX(apart, mean_.apart + mean_.torn) : kNever;
+    const bool converges =
+        now_ < 4.0f * kSettles * allowed_ || now < (fine_ ? kAtOnce : 2.0f * kAtOnce) * allowed_;
+    now_ = now;
+    const bool full = 4 * mean_.opens > CellScratch::kMost;
+    if (side == finest() || full || mean_.opens == 0) return true;
+    // A ridge or a clamp that no cell has crossed yet may cut off the corner of a cell.
+    const bool unseen = mean_.torn < kUnseen * allowed_ &&
+                        HWY_MAX(mean_.kink, mean_.jump) > allowed_ * float(side * side);
+    if (round.sees && fine_ && !round.breaks_anew && !unseen && now < kSettles * allowed_ &&
+        converges)
+      return true;
+    if (!round.small || pixel_.bends) return false;
+    const bool bounded = mean_.kink < kink_by_ * round.each && mean_.jump < jump_by_ * round.each;
+    return bounded || (round.sees && converges && apart < kAgree * allowed_ && side > first_ &&
+                       mean_.torn < kTorn * allowed_);
+  }
+
+  /// Whether the mean of the last round is close enough; cells that were closed with more left were closed too soon.
+  bool stays(const Round& round, float* to) {
+    // Of what cells are apart from theirs, in all or from mean to mean: how the means go on from the smallest cells, and
+    // what may be left after these; what is left of cells that are settled. And how much of that a pixel bears [of the
+    // tolerance], beside rounding: it may be off by six of these for 16 bits.
+    constexpr float kOn = 0.4f, kSettled = 0.35f, kLast = 0.27f, kLastFine = 0.45f, kFine = 3.0f,
+                    kCoarse = 1.3f;
+    // Stops of a ramp cut a pixel into many parts, whose doubts add up: each has its share.
+    const float again = pixel_.tile.segment ? 0.5f * HWY_MAX(form_area_, 0.05f) : 0.5f;
+    const bool at_end = round.side >= PartCells::kMostSide;
+    const float left = (at_end ? (fine_ ? kLastFine : kLast) : kSettled) *
+                       HWY_MAX(mean_.apart + mean_.torn, apart_),
+                off = left / ((fine_ ? kFine : kCoarse) * allowed_);
+    if (round.side == finest())
+      for (int c = 0; c < pixel_.tile.channels; ++c) to[c] += kOn * change_[c];
+    if (!at_end && !(off < again)) return false;
+    pixel_.tile.off += off;
+    return true;
+  }
+
+  CellPixel pixel_;
+  const PartForm* form_;
+  float form_area_;
+  bool fine_;
+  float allowed_;
+  CellScratch& scratch_;
+  float kink_by_ = 0, jump_by_ = 0;
+  int begun_ = 0, least_ = 0, first_ = 0, count_ = 0;
+  float seen_from_ = 0;
+  float before_[LightTile::kChannels] = {}, change_[LightTile::kChannels] = {};
+  float jump_ = 0, kink_ = 0, now_ = kNever, apart_ = 0;  ///< of the round before
+  CellMean mean_;
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace mien::batch

@@ -191,64 +191,77 @@ float OffAtCorners(const Shades& places, const Shades& corners, int p, const Enc
   return most;
 }
 
-/// Two by two pixels by Gauss's 2 × 2 places of each: exact for their cubics. Pixels that nothing breaks become known.
-void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
+/// Four places of each of two by two pixels: by pixel, places 4 p to 4 p + 3.
+struct PixelPlaces {
+  alignas(64) float x[16], y[16];
+  Seen at;
+};
+
+/// Whether a pixel's places are on one smooth branch, that of a round profile deep enough.
+bool IsSmooth(const LightTile& tile, const Seen& at, int pixel) {
   // [px] Places lie no farther from any other of their pixel; profiles are no quartics nearer to their outline.
   constexpr float kBetween = 0.45f, kDeep = 1.0f;
+  // [1/px] Of a gradient that turns by that, light's own turns count less than the range says.
+  constexpr float kTurn = 0.35f;
+  const bool ramp = tile.lamp.goes_by_distance(), round = tile.lamp.is_round();
+  const int first = 4 * pixel;
+  for (int k = first; k < first + 4; ++k) {
+    if (ramp && !(at.ramp->off[k] > kBetween)) return false;
+    if (!tile.rises) continue;
+    const float turn = std::abs(at.relief.best.nx[k] - at.relief.best.nx[first]) +
+                       std::abs(at.relief.best.ny[k] - at.relief.best.ny[first]);
+    if (!(at.relief.off[k] > kBetween && turn < kTurn)) return false;
+    if (round && !(at.relief.best.d[k] < -kDeep)) return false;
+  }
+  return true;
+}
+
+/// The mean of a pixel's four places, where it is exact enough: nothing in it is clamped, ends, or varies by much.
+bool TakeMean(const LightTile& tile, const Shades& shades, int pixel, float* mean,
+              Encoding& encoding) {
   // [of the tolerance] A clamp that begins in a pixel leaves a twelfth of its change; what varies so little bends less.
   constexpr float kKink = 10.0f, kRange = 64.0f;
+  alignas(64) float counts[16] = {};
+  float high[LightTile::kChannels], low[LightTile::kChannels] = {};
+  std::fill_n(counts + 4 * pixel, 4, 1.0f);
+  for (int c = 0; c < tile.channels; ++c) {
+    const float* v = shades.c[c] + 4 * pixel;
+    mean[c] = 0.25f * ((v[0] + v[3]) + (v[1] + v[2]));
+    high[c] = HWY_MAX(HWY_MAX(v[0], v[1]), HWY_MAX(v[2], v[3]));
+    low[c] = HWY_MIN(HWY_MIN(v[0], v[1]), HWY_MIN(v[2], v[3]));
+  }
+  encoding = EncodingAt(tile, low);
+  float foot = 1e9f, wide = 0.0f;
+  for (int c = 0; c < tile.channels; ++c) wide = HWY_MAX(wide, (high[c] - low[c]) * encoding.by[c]);
+  for (int q = 0; q < 4; ++q) foot = HWY_MIN(foot, shades.foot[4 * pixel + q]);
+  if (wide > kRange * tile.tolerance || foot < 0.5f) return false;
+  return !(KinkAmong(tile, shades, counts, 0.5f) > kKink * tile.tolerance);
+}
+
+/// Two by two pixels by Gauss's 2 × 2 places of each: exact for their cubics. Pixels that nothing breaks become known.
+void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   // [of the tolerance] A corner that is cut off between the places leaves a tenth of what it is off by.
   constexpr float kCorner = 17.0f;
-  // [1/px] Of a gradient that turns by that, light's own turns count less than the range says.
-  constexpr float kTurn = 0.35f, kPlace = 0.288675135f;
+  constexpr float kPlace = 0.288675135f;
   if (tile.lamp.finest < 3.0f) return;
-  alignas(64) float x[16], y[16];
+  PixelPlaces places;
   for (int k = 0; k < 16; ++k) {
-    // By pixel: places 4 p to 4 p + 3.
-    x[k] = cx + (k & 4 ? 0.5f : -0.5f) + (k & 1 ? kPlace : -kPlace);
-    y[k] = cy + (k & 8 ? 0.5f : -0.5f) + (k & 2 ? kPlace : -kPlace);
+    places.x[k] = cx + (k & 4 ? 0.5f : -0.5f) + (k & 1 ? kPlace : -kPlace);
+    places.y[k] = cy + (k & 8 ? 0.5f : -0.5f) + (k & 2 ? kPlace : -kPlace);
   }
-  Seen at;
   const int me = square.index();
-  const bool ramp = tile.lamp.goes_by_distance();
-  SeeFrom(tile, NearOf(tile, me), cx, cy, x, y, at);
-  bool fits[4] = {true, true, true, true};
-  const bool round = tile.rises && tile.lamp.is_round();
-  for (int k = 0; k < 16; ++k) {
-    bool& fit = fits[k / 4];
-    if (tile.rises) fit = fit && at.relief.off[k] > kBetween;
-    if (ramp) fit = fit && at.ramp->off[k] > kBetween;
-    if (round) fit = fit && at.relief.best.d[k] < -kDeep;
-    if (tile.rises && k % 4 != 0) {
-      const int first = k & ~3;
-      const float turn = std::abs(at.relief.best.nx[k] - at.relief.best.nx[first]) +
-                         std::abs(at.relief.best.ny[k] - at.relief.best.ny[first]);
-      fit = fit && turn < kTurn;
-    }
-  }
+  SeeFrom(tile, NearOf(tile, me), cx, cy, places.x, places.y, places.at);
+  bool fits[4];
+  for (int p = 0; p < 4; ++p) fits[p] = IsSmooth(tile, places.at, p);
   if (!(fits[0] || fits[1] || fits[2] || fits[3])) return;
   Shades shades, corners;
-  ShadePlaces(tile, at, x, y, shades);
+  ShadePlaces(tile, places.at, places.x, places.y, shades);
   const bool breaks = BreaksIn(tile, me);
   bool looked = false;
   for (int p = 0; p < 4; ++p) {
-    if (!fits[p]) continue;
-    alignas(64) float counts[16] = {};
-    float mean[LightTile::kChannels], high[LightTile::kChannels], low[LightTile::kChannels] = {};
-    for (int q = 0; q < 4; ++q) counts[4 * p + q] = 1.0f;
-    for (int c = 0; c < tile.channels; ++c) {
-      const float* v = shades.c[c] + 4 * p;
-      mean[c] = 0.25f * ((v[0] + v[3]) + (v[1] + v[2]));
-      high[c] = HWY_MAX(HWY_MAX(v[0], v[1]), HWY_MAX(v[2], v[3]));
-      low[c] = HWY_MIN(HWY_MIN(v[0], v[1]), HWY_MIN(v[2], v[3]));
-    }
-    const Encoding encoding = EncodingAt(tile, low);
-    float foot = 1e9f, wide = 0.0f;
-    for (int c = 0; c < tile.channels; ++c)
-      wide = HWY_MAX(wide, (high[c] - low[c]) * encoding.by[c]);
-    for (int q = 0; q < 4; ++q) foot = HWY_MIN(foot, shades.foot[4 * p + q]);
-    if (wide > kRange * tile.tolerance || foot < 0.5f) continue;
-    if (KinkAmong(tile, shades, counts, 0.5f) > kKink * tile.tolerance) continue;
+    float mean[LightTile::kChannels];
+    Encoding encoding;
+    if (!fits[p] || !TakeMean(tile, shades, p, mean, encoding)) continue;
     if (breaks && !looked) SeeCorners(tile, me, cx, cy, corners), looked = true;
     if (breaks &&
         OffAtCorners(shades, corners, p, encoding, tile.channels) > kCorner * tile.tolerance)
@@ -304,7 +317,7 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
   const Near near = NearOf(tile, tile.squares());
   Enter(tile, NearOf(tile, around.index()), cx, cy, 0.7072f, near);
-  MeanByCells({tile, near, cx, cy}, form, form_area, to);
+  CellRounds({tile, near, cx, cy}, form, form_area).mean(to);
 }
 
 void FindMean(LightTile& tile, int i, int j) {

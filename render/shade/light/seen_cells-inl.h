@@ -275,18 +275,9 @@ inline bool BendsInTheDark(const LightTile& tile, const SixteenCells& cells) {
   return most * kCells > tile.tolerance;
 }
 
-/// Sees sixteen cells; the first of them tell how the pixel is encoded, and whether cells are small.
-inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
-  // [px] Profiles are steep where cells are two depths wide. [levels · px] Seen at one depth, a row of 4 × 4 cells along
-  // an outline is off by a fifth of that over the profile's width: 12 px do for 8 bits.
-  constexpr float kSteep = 1.75f, kByOneDepth = 3.6f / 255, kThin = 0.15f;
+/// Their colours, each at its middle, or at two depths where a round profile is `upright` [px] beside them.
+inline void ShadeCells(const LightTile& tile, const Seen& at, bool upright, SixteenCells& cells) {
   const F f;
-  LightTile& tile = pixel.tile;
-  Seen at;
-  SeeFrom(tile, pixel.near, pixel.cx, pixel.cy, cells.x, cells.y, at);
-  const bool upright = tile.rises && tile.lamp.is_round() &&
-                       tile.lamp.width * tile.tolerance < kByOneDepth &&
-                       MostOf16(at.relief.best.d) > -kSteep;
   for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
     const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
     CellLanes cell{load(cells.x), load(cells.y), load(cells.area), {}, {}};
@@ -303,12 +294,12 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
     const VF depth = HeldDepth(tile, d, cell.variance);
     PutColor(LitAt(tile.lamp, depth, nx, ny, cell.x, cell.y, away), k, cells.shades);
   }
-  if (first) {
-    CellSum sum;
-    sum.add(cells.shades, cells.area, 3);
-    for (float& c : sum.c) c /= sum.area;
-    pixel.shows(sum.c);
-  }
+}
+
+/// Mixes what a cell shows on both sides of a ridge through it, and tells how far ridges are and what they change.
+inline void CutAtRidges(const CellPixel& pixel, const Seen& at, SixteenCells& cells) {
+  const F f;
+  const LightTile& tile = pixel.tile;
   for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
     const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
     const VF area = load(cells.area), side = hn::Sqrt(area), zero = hn::Zero(f);
@@ -326,30 +317,60 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
       hn::Store(hn::IfThenElse(cut, mixed.c[c], load(cells.shades.c[c])), f, cells.shades.c[c] + k);
     hn::Store(hn::IfThenElse(close, mixed.jump, zero), f, cells.jump + k);
   }
-  if (!first || tile.fine) return;
-  constexpr float kBell = 8.0f;  // [of the tolerance] a highlight that shows
-  // In linear light dark colours are encoded steeply, and what domes bend them by with them.
-  const float steep = pixel.encoding.most();
-  pixel.bends = BendsInTheDark(tile, cells) || SideFor((pixel.bend - tile.lamp.bend) * steep,
-                                                       pixel.seen, tile.tolerance) > pixel.side;
-  if (!tile.rises) return;
+}
+
+/// Whether colours bend within small cells, too. `upright`: seen at two depths.
+inline bool BendsInCells(const CellPixel& pixel, const Seen& at, bool upright,
+                         const SixteenCells& cells) {
+  // [of the tolerance] a highlight that shows. [px] A ridge as near as that to the outline.
+  constexpr float kBell = 8.0f, kThin = 0.15f;
   // Light changes by some 100 levels with a normal that turns by one radian: a cell leaves 4 levels times the turn².
   constexpr float kTurn = 1.5f * 255 / 4;
-  const float turn = MostTurn(at.relief, cells.away);
-  pixel.bends = pixel.bends || turn * turn > kTurn * tile.tolerance;
-  if (!upright) return;
   // Thinner than cells: depths are not spread from the outline on where a ridge ends them. A highlight that rises by more
   // than this power of 2 between two depths may be a bell between them.
   constexpr float kRises = 6.0f;
-  for (size_t k = 0; k < 16; ++k) {
+  const LightTile& tile = pixel.tile;
+  // In linear light dark colours are encoded steeply, and what domes bend them by with them.
+  const float steep = pixel.encoding.most();
+  if (BendsInTheDark(tile, cells) ||
+      SideFor((pixel.bend - tile.lamp.bend) * steep, pixel.seen, tile.tolerance) > pixel.side)
+    return true;
+  if (!tile.rises) return false;
+  const float turn = MostTurn(at.relief, cells.away);
+  if (turn * turn > kTurn * tile.tolerance) return true;
+  for (size_t k = 0; upright && k < 16; ++k) {
     if (!(cells.area[k] > 0.0f)) continue;
     const Shades& s = cells.shades;
     float bell = s.bell[k];
     if (s.upper[1][k] - s.bounds[1][k] > kRises)
       bell = HWY_MAX(bell, tile.lamp.shine * std::exp2(s.upper[1][k] + tile.lamp.level_power));
-    pixel.bends = pixel.bends || bell * steep * pixel.seen > kBell * tile.tolerance ||
-                  at.relief.off[k] - at.relief.best.d[k] < kThin;
+    if (bell * steep * pixel.seen > kBell * tile.tolerance ||
+        at.relief.off[k] - at.relief.best.d[k] < kThin)
+      return true;
   }
+  return false;
+}
+
+/// Sees sixteen cells; the first of them tell how the pixel is encoded, and whether cells are small.
+inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
+  // [px] Profiles are steep where cells are two depths wide. [levels · px] Seen at one depth, a row of 4 × 4 cells along
+  // an outline is off by a fifth of that over the profile's width: 12 px do for 8 bits.
+  constexpr float kSteep = 1.75f, kByOneDepth = 3.6f / 255;
+  LightTile& tile = pixel.tile;
+  Seen at;
+  SeeFrom(tile, pixel.near, pixel.cx, pixel.cy, cells.x, cells.y, at);
+  const bool upright = tile.rises && tile.lamp.is_round() &&
+                       tile.lamp.width * tile.tolerance < kByOneDepth &&
+                       MostOf16(at.relief.best.d) > -kSteep;
+  ShadeCells(tile, at, upright, cells);
+  if (first) {
+    CellSum sum;
+    sum.add(cells.shades, cells.area, 3);
+    for (float& c : sum.c) c /= sum.area;
+    pixel.shows(sum.c);
+  }
+  CutAtRidges(pixel, at, cells);
+  if (first && !tile.fine) pixel.bends = BendsInCells(pixel, at, upright, cells);
 }
 
 }  // namespace HWY_NAMESPACE
