@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "tests/support/process/end_process.h"
+#include "tests/support/process/effort.h"
 #include "tests/support/process/run_command.h"
 
 namespace mien {
@@ -98,7 +99,7 @@ double work_after(const Words& words, int signal) {
 
 // Many people, whose recipes take long to give back; and a face whose outlines have many points.
 TEST(Interrupt, EndsTestsOfFaces) {
-  constexpr double kMost = 0.1;  // [s] 50 ms of two threads
+  constexpr double kMost = (test::kSanitized ? 4 : 1) * 0.1;  // [s] 50 ms of two threads
   EXPECT_LT(work_after({"check", "--nonsense", "20000"}, SIGTERM), kMost);
   const ScratchFolder folder;
   const auto face = folder / "long.face.json";
@@ -119,7 +120,7 @@ TEST(Interrupt, EndsTestsOfFaces) {
 
 // Many small pictures, and one large one that is read, put together and written.
 TEST(Interrupt, EndsBatchesAndJoins) {
-  constexpr double kMost = 0.1;  // [s] 50 ms of two threads
+  constexpr double kMost = (test::kSanitized ? 4 : 1) * 0.1;  // [s] 50 ms of two threads
   const ScratchFolder folder;
   const auto plan = (folder / "plan.json").string(), out = (folder / "out").string();
   const auto write_plan = [&](const std::string& job) {
