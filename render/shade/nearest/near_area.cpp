@@ -34,54 +34,39 @@ bool NearArea::crowded() const {
                      [](const Leaf& leaf) { return leaf.branches.crowded; });
 }
 
+NearArea::Range NearArea::decide(const Node& n, float change, NearNode::Asks& asks) const {
+  using Asks = NearNode::Asks;
+  const auto negative = [](Range v) { return Range{-v.most, -v.least}; };
+  Range a = ranges_[std::size_t(n.a)], b = ranges_[std::size_t(n.b)];
+  const float amount = float(n.amount);
+  if (n.op == Op::complement) return negative(a);
+  if (n.op == Op::offset) return {a.least - amount, a.most - amount};
+  if (n.op == Op::shell) return {-amount, std::max(std::abs(a.least), std::abs(a.most)) - amount};
+  if (n.op == Op::subtract) b = negative(b);
+  // The lesser one counts.
+  const bool turned = n.op != Op::unite;
+  if (turned) a = negative(a), b = negative(b);
+  if (asks == Asks::both)
+    asks = a.least > b.most + change   ? Asks::second
+           : b.least > a.most + change ? Asks::first
+                                       : Asks::both;
+  const Range to = asks == Asks::first ? a
+                   : asks == Asks::second
+                       ? b
+                       : Range{std::min(a.least, b.least), std::min(a.most, b.most)};
+  return turned ? negative(to) : to;
+}
+
 void NearArea::leave_out(float r, NearNode* nodes) {
   using Asks = NearNode::Asks;
   // [of r] Distances change by at most one per length, so 2 would do; a ridge that is left out lies a quarter of r
   // outside of the square.
   constexpr float kChange = 2.5f, kFloats = 0.02f;
   const float change = kChange * r + kFloats;
-  const auto negative = [](Range v) { return Range{-v.most, -v.least}; };
   std::fill(needed_.begin(), needed_.end(), 0);
-  for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    const Node& n = nodes_[k];
-    if (n.op == Op::shape || nodes[k].asks == Asks::nothing) continue;
-    const Asks before = nodes[k].asks;
-    Range a = ranges_[std::size_t(n.a)], b = ranges_[std::size_t(n.b)];
-    Range& to = ranges_[k];
-    switch (n.op) {
-      case Op::shape:
-        break;
-      case Op::complement:
-        to = negative(a);
-        break;
-      case Op::offset:
-        to = {a.least - float(n.amount), a.most - float(n.amount)};
-        break;
-      case Op::shell: {
-        const float most = std::max(std::abs(a.least), std::abs(a.most));
-        to = {-float(n.amount), most - float(n.amount)};
-        break;
-      }
-      case Op::unite:
-      case Op::intersect:
-      case Op::subtract: {
-        if (n.op == Op::subtract) b = negative(b);
-        // The lesser one counts.
-        const bool turned = n.op != Op::unite;
-        if (turned) a = negative(a), b = negative(b);
-        if (before == Asks::both)
-          nodes[k].asks = a.least > b.most + change   ? Asks::second
-                          : b.least > a.most + change ? Asks::first
-                                                      : Asks::both;
-        to = nodes[k].asks == Asks::first ? a
-             : nodes[k].asks == Asks::second
-                 ? b
-                 : Range{std::min(a.least, b.least), std::min(a.most, b.most)};
-        if (turned) to = negative(to);
-        break;
-      }
-    }
-  }
+  for (std::size_t k = 0; k < nodes_.size(); ++k)
+    if (nodes_[k].op != Op::shape && nodes[k].asks != Asks::nothing)
+      ranges_[k] = decide(nodes_[k], change, nodes[k].asks);
   needed_[nodes_.size() - 1] = 1;
   for (std::size_t k = nodes_.size(); k-- > 0;) {
     const Node& n = nodes_[k];

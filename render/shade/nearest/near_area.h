@@ -59,6 +59,10 @@ class NearArea {
   long long feet = 0;
 
  private:
+  /// The range of an operator's distance, by those of its operands; and which of these may be nearest, if two are asked.
+  /// `change`: how much they may change by within the square.
+  Range decide(const Node& node, float change, NearNode::Asks& asks) const;
+
   const FeetArea* area_ = nullptr;
   glm::dvec2 middle_{0.0};
   std::vector<Node> nodes_;

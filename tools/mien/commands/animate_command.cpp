@@ -113,6 +113,33 @@ int as_pictures(const Animation& animation, const FrameNames& names, bool again,
   return print(fmt::format("{} frames drawn, {} kept\n", done - kept, kept));
 }
 
+/// Draws as many frames together as may wait, and adds them in their order.
+int draw_film(const FilmPlan& plan, const std::string& output, FilmWriter& film,
+              ProgressDisplay& display, double began) {
+  const Progress progress = display.watch("frames");
+  const std::uint64_t bytes = std::uint64_t(plan.width) * std::uint64_t(plan.height) * 4;
+  const long together = std::clamp<long>(long(kMostWaiting / bytes), 1, 2L * plan.threads);
+  double drawing = 0;
+  std::vector<Expected<Image>> pictures;
+  for (long first = 0; first < plan.frames; first += together) {
+    pictures.assign(std::size_t(std::min(together, plan.frames - first)), Image{});
+    const double start = monotonic_seconds();
+    parallel_for(int(pictures.size()), {.count = plan.threads},
+                 [&](int i) { pictures[std::size_t(i)] = plan.draw(first + i); });
+    drawing += monotonic_seconds() - start;
+    for (const auto& picture : pictures) {
+      if (!picture) return complain({output, picture.error().what}, kFailed);
+      if (const auto added = film.add(*picture); !added) return complain(added.error(), kFailed);
+    }
+    if (!progress(double(first + long(pictures.size())) / double(plan.frames)))
+      return complain("interrupted", kFailed);
+  }
+  if (const auto finished = film.finish(); !finished) return complain(finished.error(), kFailed);
+  const double whole = monotonic_seconds() - began;
+  return print(fmt::format("{} frames in {:.1f} s, {:.0f} % of it drawing\n", plan.frames, whole,
+                           100 * drawing / whole));
+}
+
 int as_film(const Animation& animation, FilmType type, ProgressDisplay& display) {
   const auto& output = animation.arguments.output;
   const double began = monotonic_seconds();
@@ -143,31 +170,7 @@ int as_film(const Animation& animation, FilmType type, ProgressDisplay& display)
   const auto begun = begin_film(output, plan);
   if (interrupted()) return complain("interrupted", kFailed);
   if (!begun) return complain(begun.error(), kFailed);
-  FilmWriter& film = **begun;
-  const Progress progress = display.watch("frames");
-  const std::uint64_t bytes = std::uint64_t(drawn.width) * std::uint64_t(drawn.height) * 4;
-  const long together = std::clamp<long>(long(kMostWaiting / bytes), 1, 2L * animation.threads);
-  double drawing = 0;
-  std::vector<Expected<Image>> pictures;
-  for (long first = animation.range.first; first <= animation.range.last; first += together) {
-    pictures.assign(std::size_t(std::min(together, animation.range.last - first + 1)), Image{});
-    const double start = monotonic_seconds();
-    parallel_for(int(pictures.size()), {.count = animation.threads}, [&](int i) {
-      pictures[std::size_t(i)] = plan.draw(first - animation.range.first + i);
-    });
-    drawing += monotonic_seconds() - start;
-    for (const auto& picture : pictures) {
-      if (!picture) return complain({output, picture.error().what}, kFailed);
-      if (const auto added = film.add(*picture); !added) return complain(added.error(), kFailed);
-    }
-    const long done = first + long(pictures.size()) - animation.range.first;
-    if (!progress(double(done) / double(animation.range.count())))
-      return complain("interrupted", kFailed);
-  }
-  if (const auto finished = film.finish(); !finished) return complain(finished.error(), kFailed);
-  const double whole = monotonic_seconds() - began;
-  return print(fmt::format("{} frames in {:.1f} s, {:.0f} % of it drawing\n",
-                           animation.range.count(), whole, 100 * drawing / whole));
+  return draw_film(plan, output, **begun, display, began);
 }
 
 /// [s] How long what is played lasts: the longest of motions that end.
