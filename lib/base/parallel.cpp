@@ -77,6 +77,7 @@ void parallel_for(int count, const Threads& threads, const std::function<void(in
     const Watching here(watch);
     try {
       job(i);
+      watch->look(0);                   // short jobs would never ask
     } catch (const Stopped& stopped) {  // it must not pass through an executor
       watch->stop(stopped.why);
     }

@@ -22,11 +22,20 @@ void Watch::ask() {
   asked_ = monotonic_seconds();
 }
 
-void Watch::look(std::int64_t steps) {
+void Watch::count(std::int64_t steps) {
   if (steps_.fetch_add(steps) + steps > limits_.steps) stop(Stopped::Why::steps);
+  if (outer_) outer_->count(steps);
+}
+
+void Watch::go_on_or_end() {
   ask();
-  if (outer_) outer_->look(steps);
+  if (outer_) outer_->go_on_or_end();
   if (stopped()) throw Stopped{why()};
+}
+
+void Watch::look(std::int64_t steps) {
+  count(steps);
+  go_on_or_end();
 }
 
 void Watch::hold(std::uint64_t bytes) {
@@ -46,16 +55,12 @@ void Watch::foresee(std::uint64_t bytes) {
 
 namespace {
 
-/// Tells this thread's watch what was done since it was looked at. If the work must end, the next look finds it.
+/// Tells this thread's watch what was done since it was looked at: nothing may be thrown where a watch ends.
 void tell_rest() {
   detail::Pace& pace = detail::pace;
   const std::int64_t steps = detail::kStepsBetweenLooks - pace.left;
   pace.left = detail::kStepsBetweenLooks;
-  if (!pace.watch || pace.watch->stopped()) return;
-  try {
-    pace.watch->look(steps);
-  } catch (const Stopped&) {
-  }
+  if (pace.watch) pace.watch->count(steps);
 }
 
 }  // namespace

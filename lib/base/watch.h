@@ -40,8 +40,10 @@ class Watch {
 
   static constexpr double kPause = 0.01;  // [s] between two questions
 
-  /// So many more steps were done. Throws Stopped.
+  /// So many more steps were done. Throws Stopped, or what the caller throws when asked.
   void look(std::int64_t steps);
+  /// Likewise where nothing may be thrown: nobody is asked. If the work must end, the next look finds it.
+  void count(std::int64_t steps);
   /// So much is held now, by one drawing. Throws Stopped.
   void hold(std::uint64_t bytes);
   /// Whether one drawing may hold so much.
@@ -61,6 +63,8 @@ class Watch {
 
  private:
   void ask();
+  /// Of this watch and those around it.
+  void go_on_or_end();
 
   const std::function<bool()> go_on_;
   const RenderLimits limits_;

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <optional>
+#include <thread>
 
 namespace mien::test {
 namespace {
@@ -70,6 +71,33 @@ TEST(Watch, OfOuterWorkEndsTheInnerToo) {
   const Watching here(&outer);
   Watch inner([] { return true; });
   EXPECT_EQ(work_under(inner), Stopped::Why::cancelled);
+}
+
+/// What the caller throws when asked would end the process where a watch ends: there nobody is asked.
+TEST(Watch, AsksNobodyWhereItEnds) {
+  int asked = 0;
+  Watch outer([&]() -> bool { throw ++asked; });
+  {
+    const Watching here(&outer);
+    Watch inner([&]() -> bool { throw ++asked; });
+    const Watching inside(&inner);
+    std::this_thread::sleep_for(std::chrono::duration<double>(2 * Watch::kPause));
+    worked(100);
+  }
+  EXPECT_EQ(asked, 0);
+  EXPECT_EQ(outer.steps(), 100);
+  EXPECT_FALSE(outer.stopped());
+}
+
+TEST(Watch, AsksAfterShortJobs) {
+  int asked = 0;
+  Watch watch([&] { return ++asked < 3; });
+  const Watching here(&watch);
+  const auto pause = std::chrono::duration<double>(1.5 * Watch::kPause);
+  int done = 0;
+  const auto job = [&](int) { std::this_thread::sleep_for(pause), ++done; };
+  EXPECT_THROW(parallel_for(64, {.count = 1}, job), Stopped);
+  EXPECT_EQ(done, 3);
 }
 
 TEST(Watch, GoesWithJobsToTheirThreads) {
