@@ -9,8 +9,8 @@
 #include <ctime>
 #include <thread>
 
-#include "tests/support/process/end_process.h"
 #include "tests/support/process/effort.h"
+#include "tests/support/process/end_process.h"
 #include "tests/support/process/run_command.h"
 
 namespace mien {
