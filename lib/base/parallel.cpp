@@ -77,7 +77,8 @@ void parallel_for(int count, const Threads& threads, const std::function<void(in
     const Watching here(watch);
     try {
       job(i);
-      watch->look(0);                   // short jobs would never ask
+      // Short jobs would never ask.
+      watch->look(0);
     } catch (const Stopped& stopped) {  // it must not pass through an executor
       watch->stop(stopped.why);
     }

@@ -200,8 +200,9 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
   return better;
 }
 
-/// What products of ramps, or of light and an opacity, vary by within cells counts four times as much in cells of twice the side: the rest of it
-/// is told by two such steps, and what the mean then may be off by as a share of the tolerance by how they differ.
+/// What products of ramps, or of light and an opacity, vary by within cells counts four times as much in cells of twice
+/// the side: the rest of it is told by two such steps, and what the mean then may be off by as a share of the tolerance by
+/// how they differ.
 glm::vec4 LookShader::with_products(const VariedPaint& varied, const glm::vec4& mean, float& off) {
   given_rows_.clear();
   for (std::size_t i = 0; i < steps_.size(); ++i)

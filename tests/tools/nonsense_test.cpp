@@ -197,6 +197,18 @@ TEST_F(Nonsense, SeesHairThatIsDrawnAsOneArea) {
   EXPECT_TRUE(names_of(test_.faults(drawn, posed, {})).contains("scalp_covered"));
 }
 
+/// The edge round a figure is drawn below it, though it comes after what it goes round.
+TEST_F(Nonsense, TellsAStickersEdgeFromItsHair) {
+  Recipe recipe = bearded();
+  recipe.style = "sticker";
+  const Face drawn = *face_from_recipe(recipe);
+  const NonsensePose turned = named(drawn, "yaw=-30");
+  Face posed = pose_face(drawn, turned.pose);
+  EXPECT_EQ(names_of(test_.faults(drawn, posed, turned)), std::set<std::string>{});
+  move_points(posed, "hair_", [](glm::dvec2 p) { return 0.5 * p; });
+  EXPECT_TRUE(names_of(test_.faults(drawn, posed, turned)).contains("scalp_covered"));
+}
+
 TEST_F(Nonsense, FindsAFeelingThatReadsAsAnother) {
   NonsensePose joy = named(face_, "emotion.joy=1");
   const Face angry = pose_face(face_, named(face_, "emotion.anger=1").pose);

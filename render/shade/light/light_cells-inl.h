@@ -280,7 +280,7 @@ class CellRounds {
 
   struct Round {
     int side;
-    float each;  ///< [of a kink or a jump in one cell] the tolerance, as that many cells bear it
+    float each;  ///< what one cell may be off by: the tolerance by how many cells bear it
     bool sees;   ///< whether cells are no larger than a part is thin
     bool small;  ///< whether nothing but ridges and clamps can matter within a cell
     bool breaks_anew;

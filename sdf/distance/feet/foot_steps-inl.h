@@ -124,8 +124,9 @@ HWY_INLINE Moves MovesAt(const BranchLanes& c, const Reached& at, const Slope& s
 }
 
 /// The foot on that half of a parabola, by the roots of its cubic, to 1.2e-5 of τ (depressed_cubic-inl.h): with τ = t −
-/// the vertex's, f = 2 |x₂|² (τ³ + 3 P τ − S). On the place's own half it is the largest root. On the other one it is the least distance that a place beyond the
-/// centre of curvature has there, which the rest of the cubic gives; if that has no roots, the vertex.
+/// the vertex's, f = 2 |x₂|² (τ³ + 3 P τ − S). On the place's own half it is the largest root. On the other one it is the
+/// least distance that a place beyond the centre of curvature has there, which the rest of the cubic gives; if that has no
+/// roots, the vertex.
 HWY_INLINE VF FootOnHalf(const BranchLanes& c, VF x, VF y) {
   const F f;
   const VF zero = hn::Zero(f), half = hn::Set(f, 0.5f);

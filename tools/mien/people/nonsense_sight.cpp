@@ -122,6 +122,7 @@ KnownFeatures::KnownFeatures(const Face& face) {
   arm = both(model, "arm"), ear = both(model, "ear");
   for (int& of_side : brow)
     if (of_side >= 0 && !is_drawn(face, of_side)) of_side = -1;
+  int drawn_head = -1;
   for (int i = 0; i < int(model.features.size()); ++i) {
     const Feature& feature = model.features[std::size_t(i)];
     const std::string_view name = unsided(feature.name);
@@ -131,14 +132,14 @@ KnownFeatures::KnownFeatures(const Face& face) {
                                     {"beard", &beard},
                                     {"hijab", &hijab}})
       if (name == known && *at < 0) *at = i;
+    if (head == i) drawn_head = drawn_at(model, head);
     const bool lip = (name == "lip_upper" || name == "lip_lower") && is_drawn(face, i);
     if (lip && name == "lip_upper") lip_upper.push_back(i);
     if (lip) lips.push_back(i);
     if (!feature.painted()) continue;
     if (!is_glasses(name)) {
       const Hiding hiding = hiding_of(face, feature, false);
-      if (head >= 0 && i > drawn_at(model, head) &&
-          !begins_with_any(name, {"beard", "moustache"})) {
+      if (head >= 0 && i > drawn_head && !begins_with_any(name, {"beard", "moustache"})) {
         if (hiding == Hiding::all) add_members(model, i, over_head);
         if (hiding != Hiding::none) add_members(model, i, over_temples);
         one_mass = one_mass || name == "hair_mass";
