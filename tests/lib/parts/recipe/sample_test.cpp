@@ -93,6 +93,19 @@ TEST(Sample, BackdropsStandOffFromSkinAndHair) {
   EXPECT_LE(near, kPeople / 100);
 }
 
+// Styles without lines have nothing else that tells a hairline.
+TEST(Sample, HairStandsOffFromSkin) {
+  constexpr double kApart = 0.07;
+  const PartLibrary& library = PartLibrary::shipped();
+  for (int i = 0; i < 500; ++i) {
+    const Recipe recipe = sampled_recipe(library, person(i));
+    const Oklch skin = skin_color(library, recipe.numbers.at("skin.tone"),
+                                  recipe.numbers.at("skin.undertone"));
+    EXPECT_GE(apart(color_of(*chosen_part(library, recipe, "hair_color")), skin), kApart)
+        << recipe.name;
+  }
+}
+
 // A part more changes the faces that win it, and none else: so the library can grow.
 
 constexpr const char* kAdded = "added";
