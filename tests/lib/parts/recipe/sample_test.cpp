@@ -99,8 +99,8 @@ TEST(Sample, HairStandsOffFromSkin) {
   const PartLibrary& library = PartLibrary::shipped();
   for (int i = 0; i < 500; ++i) {
     const Recipe recipe = sampled_recipe(library, person(i));
-    const Oklch skin = skin_color(library, recipe.numbers.at("skin.tone"),
-                                  recipe.numbers.at("skin.undertone"));
+    const Oklch skin =
+        skin_color(library, recipe.numbers.at("skin.tone"), recipe.numbers.at("skin.undertone"));
     EXPECT_GE(apart(color_of(*chosen_part(library, recipe, "hair_color")), skin), kApart)
         << recipe.name;
   }
