@@ -114,9 +114,9 @@ TEST(Recipe, PeopleAreDressedAndGroomedAsPeopleAre) {
     moody += recipe.numbers.at("mood") > 0.1;
     downturned += is("mouth", "downturned");
   }
-  EXPECT_NEAR(smiling / double(kPeople), 0.9, 0.04);
+  EXPECT_NEAR(smiling / double(kPeople), 0.95, 0.03);
   EXPECT_NEAR(moody / double(kPeople), 1 / 3.0, 0.04);
-  EXPECT_NEAR(downturned / double(kPeople), 0.02, 0.01);
+  EXPECT_NEAR(downturned / double(kPeople), 0.01, 0.005);
 }
 
 /// Every part with every style, each on some head, reads without an error.
