@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """A plan by job arrays of a real Slurm on this machine alone: slurm_test.py MIEN SOURCE [PEOPLE SIZE]    exit 77 where there is none"""
+import contextlib
 import hashlib
 import json
 import os
@@ -174,7 +175,8 @@ def main(folder):
                 break  # a fast machine was done with the rest of the part
             for process in victims:
                 cluster.run("scontrol", "requeue", f"{job}_{KILLED}", check=False)
-                os.kill(process, signal.SIGKILL)
+                with contextlib.suppress(ProcessLookupError):  # Slurm was faster
+                    os.kill(process, signal.SIGKILL)
                 kills += 1
                 cluster.until(lambda: process not in processes_of(KILLED, out), "end of a killed process")
             # Slurm waits two minutes before it starts a task again, unless it is told; credentials count in whole seconds.

@@ -89,7 +89,7 @@ class Tally {
     ask("worn", "glasses below 50", exactly(0.18), glasses, age() < kOlder);
     ask("worn", "glasses from 65", kMoreThanTheYoung, glasses, age() >= kElder);
     ask("worn", "headwear", exactly(0.12), part("headwear") != "none");
-    ask("looks", "smiling", AskedShare{0.8, 0.95}, recipe_->numbers.at("smile") >= 0.3);
+    ask("looks", "smiling", AskedShare{0.9, 0.98}, recipe_->numbers.at("smile") >= 0.3);
     ask("looks", "showing teeth", AskedShare{0.3, 0.37}, recipe_->numbers.at("mood") >= 0.1);
   }
 
