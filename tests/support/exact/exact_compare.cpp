@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <stdexcept>
+#include <utility>
 
 namespace mien::test {
 namespace {
@@ -12,6 +14,12 @@ glm::dvec4 seen(const glm::dvec4& straight, double top) {
 }
 
 }  // namespace
+
+Image drawn_image(const Scene& scene, const View& view, Depth depth, RenderStats* stats) {
+  auto image = render(scene, view, {.depth = depth}, stats);
+  if (!image) throw std::runtime_error(image.error().what);
+  return *std::move(image);
+}
 
 glm::dvec4 drawn_levels(const Image& image, int x, int y) {
   glm::dvec4 drawn;

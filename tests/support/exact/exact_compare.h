@@ -2,6 +2,7 @@
 // Pictures against the exact one.
 
 #include <mien/image.h>
+#include <mien/render.h>
 
 #include <glm/vec4.hpp>
 #include <span>
@@ -16,6 +17,9 @@ struct ExactError {
   double worst = 0;   ///< the largest error, in shares of what is allowed
   std::string where;  ///< of that one
 };
+
+/// A picture that is to be judged. Throws std::runtime_error with the error's words where the scene is refused.
+Image drawn_image(const Scene& scene, const View& view, Depth depth, RenderStats* stats = nullptr);
 
 /// The levels of pixel (x, y) of a picture of 8 or 16 bits: straight, as they are stored.
 glm::dvec4 drawn_levels(const Image& image, int x, int y);

@@ -1,13 +1,9 @@
 #include "tests/support/exact/exact_windows.h"
 
-#include <mien/render.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <utility>
 
 #include "tests/support/exact/exact_compare.h"
 #include "tests/support/random/random.h"
@@ -28,7 +24,7 @@ class Window {
     view.region = rect;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       view.blend = kStorages[i].blend;
-      if (wanted[i]) images_[i] = picture(scene, view, kStorages[i].depth);
+      if (wanted[i]) images_[i] = drawn_image(scene, view, kStorages[i].depth);
     }
   }
 
@@ -52,12 +48,6 @@ class Window {
   }
 
  private:
-  static Image picture(const Scene& scene, const View& view, Depth depth) {
-    auto image = render(scene, view, {.depth = depth});
-    if (!image) throw std::runtime_error(image.error().what);
-    return *std::move(image);
-  }
-
   /// How far apart a picture's pixel and what it should be are [levels].
   double off(std::size_t i, int x, int y, const Mixes& exact) const {
     const Storage& storage = kStorages[i];

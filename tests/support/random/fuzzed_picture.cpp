@@ -29,8 +29,8 @@ struct Drawn {
 /// A picture at both depths, and the reference beside it.
 void judge_blend(const Scene& scene, const View& view, const ExactTruth& truth, FuzzTally& tally) {
   RenderStats stats;
-  const Drawn drawn[] = {{render(scene, view, {.depth = Depth::u8}, &stats).value(), 255, 1.0},
-                         {render(scene, view, {.depth = Depth::u16}, &stats).value(), 65535, 32.0}};
+  const Drawn drawn[] = {{drawn_image(scene, view, Depth::u8, &stats), 255, 1.0},
+                         {drawn_image(scene, view, Depth::u16, &stats), 65535, 32.0}};
   tally.pictures += 2, tally.doubted += stats.doubts > 0;
   tally.resolved += long(stats.resolved_pixels);
   PaintTable paints;
