@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdlib>
 #include <thread>
 
 namespace mien {
@@ -111,6 +113,34 @@ TEST(Compose, BrimsClearTheBrows) {
     EXPECT_GT(up, down + 0.003) << hat;
     EXPECT_LT(up, down + 0.05) << hat;
   }
+}
+
+/// A colour of the palette as its text tells it: "#rrggbb".
+std::array<int, 3> palette_color(const std::string& face, const std::string& name) {
+  const std::size_t at = face.find("\"" + name + "\": \"#") + name.size() + 6;
+  std::array<int, 3> levels{};
+  for (std::size_t i = 0; i < 3; ++i)
+    levels[i] = std::stoi(face.substr(at + 2 * i, 2), nullptr, 16);
+  return levels;
+}
+
+/// A mouth that is one line has no lips that tell it from the hair around it.
+TEST(Compose, AMouthThatIsALineIsSeenInABeard) {
+  constexpr int kSeen = 75;  // levels of 255, of the channel that differs most
+  for (const char* beard : {"full", "long", "short", "circle"})
+    for (const char* hair : {"black", "chestnut", "copper", "silver", "white"}) {
+      Recipe recipe = recipe_from_seed(1);
+      recipe.parts["mouth"] = "line", recipe.parts["beard"] = beard;
+      recipe.parts["hair_color"] = hair;
+      const auto text = face_text_from_recipe(recipe);
+      ASSERT_TRUE(text) << text.error().what;
+      const std::string& face = *text;
+      const auto line = palette_color(face, "mouth_line");
+      const auto around = palette_color(face, "beard");
+      int apart = 0;
+      for (std::size_t i = 0; i < 3; ++i) apart = std::max(apart, std::abs(line[i] - around[i]));
+      EXPECT_GE(apart, kSeen) << beard << " " << hair;
+    }
 }
 
 /// What a caller allows holds for what is composed of a recipe, too.
