@@ -39,10 +39,10 @@ bool has(const Recipe& recipe, const std::string& family, const std::string& par
 
 TEST(PartsAtFault, NamesOnePart) {
   const Blamed blamed =
-      hundred_people([](const Recipe& recipe) { return has(recipe, "nose", "narrow"); });
+      hundred_people([](const Recipe& recipe) { return has(recipe, "nose", "straight"); });
   const std::vector<PartAtFault> parts = blamed.parts();
   ASSERT_EQ(parts.size(), 1u) << "it explains all of them";
-  EXPECT_EQ(parts[0].family + "=" + parts[0].part, "nose=narrow");
+  EXPECT_EQ(parts[0].family + "=" + parts[0].part, "nose=straight");
   EXPECT_GE(parts[0].faulty, 2);
   EXPECT_EQ(parts[0].faulty, std::ranges::count(blamed.faulty, char{1}));
   EXPECT_EQ(parts[0].faulty, parts[0].all);
